@@ -4,7 +4,10 @@
 
 #include <subcert/analysis/family/limit_of_levels.hpp>
 #include <subcert/analysis/family/local_levels.hpp>
+#include <subcert/analysis/family/property_of_levels.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
+#include <subcert/proofs-checks/properties/mask_list_file.hpp>
+#include <subcert/reports/facts/exponent_formula.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 
 #include <fmt/ranges.h>
@@ -59,11 +62,17 @@ struct OfList {
   const char* order;
 };
 
+constexpr const char* first_never_twice = "the first never twice in a row";
+
 const std::vector<OfList>& lists() {
   static const std::vector<OfList> all{
       {{"dd:n=2", "bspline:degree=3"}, {}, {}, "any"},
       {{"dd:n=2", "bspline:degree=3"}, {0, 1}, {}, "in turn"},
-      {{"four-point:w=1/4", "four-point:w=1/16"}, {}, {{0, 1}, {1, 0}, {1, 1}}, "the first never twice in a row"}};
+      {{"four-point:w=1/4", "four-point:w=1/16"}, {}, {{0, 1}, {1, 0}, {1, 1}}, first_never_twice},
+      {{"merrien:lambda=-1/8,mu=3/2", "merrien:lambda=-1/8,mu=-1/2"}, {}, {}, "any"},
+      {{"merrien:lambda=-1/8,mu=3/2", "merrien:lambda=-1/8,mu=-1/2"}, {}, {{0, 1}, {1, 0}, {1, 1}}, first_never_twice},
+      {{"hermite-dd:points=4,order=2", "hermite-dd:points=2,order=2"}, {}, {}, "any"},
+      {{"ghm", "bspline:degree=3,multiplicity=2"}, {}, {}, "any"}};
   return all;
 }
 
@@ -155,15 +164,20 @@ formats::PlainTable recurrence_table(const ReportOptions& options) {
 formats::PlainTable list_table(const ReportOptions& options) {
   formats::PlainTable table{"lists",
                             "Finitely many masks: the least exponent of all sequences",
-                            {"masks", "order", "sum rules", "exponent", "least for", "exact"},
+                            {"masks", "order", "sum rules", "exponent", "formula", "least for", "exact", "Hermite"},
                             {}};
   for (const OfList& one : lists()) {
-    MaskList list{{}, one.period, one.follows};
-    for (const char* name : one.masks) list.masks.push_back(make_scheme(name).mask.curve());
-    const ExponentOfList found = exponent_of(list, budget_of(options));
+    properties::MaskListFile file;
+    for (const char* name : one.masks) properties::add_mask(file, name);
+    file.list.period = one.period;
+    file.list.follows = one.follows;
+    const ExponentOfList found = exponent_of(file.list, budget_of(options));
+    const auto formula = facts::exponent_formula(found);
+    const auto hermite = hermite_order_of(found);
     table.rows.push_back({fmt::format("{}", fmt::join(one.masks, ", ")), one.order, std::to_string(found.sum_rules),
-                          formats::fixed_text(found.exponent, 10), fmt::format("{}", fmt::join(found.sequence, ", ")),
-                          to_text(found.exact.truth)});
+                          formats::fixed_text(found.exponent, 10), formula ? formula->text() : "",
+                          fmt::format("{}", fmt::join(found.sequence, ", ")), to_text(found.exact.truth),
+                          hermite && hermite->order >= 0 ? fmt::format("HC^{}", hermite->order) : ""});
   }
   return table;
 }

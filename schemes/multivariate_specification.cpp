@@ -6,6 +6,8 @@
 #include "specification_text.hpp"
 #include "surface_schemes.hpp"
 
+#include <subcert/analysis/symbol/support/error.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -371,6 +373,47 @@ const std::string& specification_of(const AnyScheme& scheme) {
 std::optional<LatticeMask> mask_with_factors(const AnyScheme& scheme) {
   const auto* linear = std::get_if<Scheme>(&scheme);
   return linear && linear->mask.has_factors() ? std::optional(linear->mask) : std::nullopt;
+}
+
+std::optional<VectorForm> form_of_levels(const std::optional<VectorForm>& form) {
+  return form == VectorForm::refinable ? VectorForm::vector : form;
+}
+
+LevelDependentScheme levels_in_turn(const std::vector<std::string>& first, const std::vector<std::string>& again) {
+  require(!again.empty(), "levels: need a scheme that comes again, got none");
+  const Scheme model = make_refinable_scheme(again.front());
+  LevelDependentScheme result{"", {}, form_of_levels(model.form)};
+  const auto append = [&](const std::string& specification, std::vector<LatticeMask>& masks) {
+    const Scheme scheme = make_refinable_scheme(specification);
+    const LatticeMask &mask = scheme.mask, &other = model.mask;
+    require(mask.dilation() == other.dilation(),
+            "levels: need schemes of one arity and as many variables, got {} and {}", model.specification,
+            scheme.specification);
+    require(mask.components() == other.components(), "levels: need matrices of one size, got {} and {} rows",
+            other.components(), mask.components());
+    require(form_of_levels(scheme.form) == result.form, "levels: need Hermite schemes alone or none, got {} and {}",
+            model.specification, scheme.specification);
+    require(!scheme.form || !scheme.rounding, "levels: need matrices with rational entries, got {}",
+            scheme.specification);
+    result.specification += (result.specification.empty() ? "" : ", ") + scheme.specification;
+    masks.push_back(mask);
+  };
+  for (const std::string& one : first) append(one, result.masks.first);
+  for (const std::string& one : again) append(one, result.masks.again);
+  return result;
+}
+
+Scheme period_of(const LevelDependentScheme& scheme) {
+  constexpr long most_classes = 4096;
+  long classes = 1;
+  for (const LatticeMask& mask : scheme.masks.again)
+    if (scheme.form && (classes *= mask.arity()) > most_classes)
+      fail(ErrorKind::size, "levels: need matrices in a period with arity^length up to {}, got a length of {}",
+           most_classes, scheme.masks.again.size());
+  return {.specification = scheme.specification,
+          .title = "",
+          .mask = levels_as_one(scheme.masks.again),
+          .form = scheme.form};
 }
 
 const std::vector<FamilyHelp>& multivariate_families() {

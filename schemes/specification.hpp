@@ -62,7 +62,20 @@ struct DataDependentScheme {
 struct LevelDependentScheme {
   std::string specification;  ///< for people: the masks, and how they follow each other
   LevelMasks masks;
+  std::optional<VectorForm> form = std::nullopt;  ///< of masks of matrices, always: vector or hermite
 };
+
+/// The form of levels whose masks have the form of a scheme; of numbers none.
+std::optional<VectorForm> form_of_levels(const std::optional<VectorForm>& form);
+
+/// The schemes with the specifications of `first`, one for each level, and then those of `again` in turn. Domain: a
+/// scheme in `again`. Errors: throws SpecificationError, and a domain error for other dilations, matrices of another
+/// size or rounded ones, and Hermite schemes beside others.
+LevelDependentScheme levels_in_turn(const std::vector<std::string>& first, const std::vector<std::string>& again);
+
+/// The masks that come again, as one mask. Domain: one variable; masks that come again. Errors: throws a size error for
+/// matrices of more than 4096 classes.
+Scheme period_of(const LevelDependentScheme& scheme);
 
 using AnyScheme = std::variant<Scheme, DataDependentScheme, LevelDependentScheme>;
 

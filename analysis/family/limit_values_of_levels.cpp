@@ -293,6 +293,56 @@ LimitValues limit_values(const LevelMasks& masks, int level, const Deadline& dea
   return {arity, level, 0, indices.first, applied(row, data, indices, Rational(0))};
 }
 
+namespace {
+
+/// A(z^stride) V(z), without zeros.
+LatticeSequence through(const LatticeMask& mask, long stride, const LatticeSequence& values) {
+  std::vector<LatticeMask::Term> terms = mask.terms();
+  for (LatticeMask::Term& term : terms) term.exponents[0] *= stride;
+  LatticeSequence result = convolution(terms, mask.components(), values);
+  std::erase_if(result, [](const auto& entry) { return entry.second == 0; });
+  if (result.size() > static_cast<std::size_t>(most_values))
+    fail(ErrorKind::size, "limit: need at most {} values, got {}", most_values, result.size());
+  return result;
+}
+
+/// The values at the indices that the arity divides.
+LatticeSequence at_multiples(const LatticeSequence& values, long arity) {
+  LatticeSequence result;
+  for (const auto& [index, value] : values) {
+    if (modulo(index[0], arity) != 0) continue;
+    LatticePoint coarse = index;
+    coarse[0] /= arity;
+    result.emplace(std::move(coarse), value);
+  }
+  return result;
+}
+
+}  // namespace
+
+LatticeSequence limit_values(const LevelMasks& masks, const LatticeSequence& at_integers, int level) {
+  require(level >= 0, "limit: need level >= 0, got {}", level);
+  require(!masks.again.empty(), "limit: need masks for all levels, got {}", masks.first.size());
+  const LatticeMask& model = masks.again.front();
+  for (const auto* list : {&masks.first, &masks.again})
+    for (const LatticeMask& mask : *list)
+      require(mask.dimension() == 1 && mask.components() == model.components() && mask.arity() == model.arity(),
+              "limit: need masks of one variable, one arity and one size");
+  if (at_integers.empty()) return {};
+  // The functions are not 0 on most of the points between those that are known.
+  const Rational least(at_integers.rbegin()->first[0] - at_integers.begin()->first[0] + 1, 4);
+  if (least * power(Rational(model.arity()), level) > most_values)
+    fail(ErrorKind::size, "limit: need at most {} values, got level {}", most_values, level);
+  const auto points = static_cast<std::size_t>(level);
+  std::size_t levels = masks.first.size();
+  while (levels < points) levels += masks.again.size();
+  LatticeSequence values = at_integers;
+  for (std::size_t k = levels; k-- > points;) values = at_multiples(through(masks.at(k), 1, values), model.arity());
+  long stride = 1;
+  for (std::size_t k = points; k-- > 0; stride *= model.arity()) values = through(masks.at(k), stride, values);
+  return values;
+}
+
 EnclosedLimitValues limit_values(const ParametricMask& mask, const Recurrence& recurrence, const Rational& start,
                                  int level) {
   require(mask.letters() == 1 && mask.components() == 1, "limit: need numbers with one letter");

@@ -10,7 +10,7 @@
 
 namespace subcert {
 
-/// Those of so many levels of f_{k+1} = S_{w_k} f_k with w_{k+1} = r(w_k). Domain: one letter, numbers. Errors: throws
+/// Those of so many levels of f_{k+1} = S_{w_k} f_k with w_{k+1} = r(w_k). Domain: one letter. Errors: throws
 /// Error of kind domain where a level has no value or no mask, or may have none. Error: the w_k are exact where they
 /// are rational and short, else within 2^-100 of the true ones.
 LevelMasks masks_of_levels(const ParametricMask& mask, const Recurrence& recurrence, const Rational& start,
@@ -20,6 +20,13 @@ LevelMasks masks_of_levels(const ParametricMask& mask, const Recurrence& recurre
 /// which make a scheme that converges; at most 10^6 values. Errors and cost: as limit_values of these masks as one, and
 /// those of the level. Proof: docs/levels.md.
 LimitValues limit_values(const LevelMasks& masks, int level, const Deadline& deadline = {});
+
+/// The same of masks of matrices: the values of all functions at i / arity^level, by i and the component, where they
+/// are not 0. Those of the first level are the solution of the equation of the masks that come again, as one, that has
+/// these values at integers; there are none before it: phi^(k)(x) = sum over j of A^(k)_j phi^(k+1)(arity x - j).
+/// Domain: one variable, one arity, one size; masks that come again; values of a continuous solution; at most 10^6
+/// values. Errors: throws Error. Cost: coefficients times values. Proof: docs/levels.md.
+LatticeSequence limit_values(const LevelMasks& masks, const LatticeSequence& at_integers, int level);
 
 /// values[i] lies around the one at (first_index + i) / arity^level.
 struct EnclosedLimitValues {

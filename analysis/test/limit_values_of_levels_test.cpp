@@ -1,4 +1,5 @@
 #include <subcert/analysis/family/limit_values_of_levels.hpp>
+#include <subcert/analysis/symbol/masks/matrix_masks.hpp>
 #include <subcert/cmake/catch.hpp>
 #include <subcert/cmake/error_kind.hpp>
 #include <subcert/cmake/random.hpp>
@@ -197,4 +198,81 @@ TEST_CASE("limits of a recurrence: what is refused") {
   CHECK_FAILS(limit_values(family_mask("conic-four-point:v"), recurrence_of(halved_angle), 0, 1), domain);
   CHECK_FAILS(limit_values(four, recurrence_of("w=w", 'w'), Rational(1, 16), 40), size);
   CHECK_FAILS(limit_values(four, recurrence_of("w=w", 'w'), Rational(1, 16), -1), domain);
+}
+
+namespace {
+
+LatticeMask matrices(const char* specification) { return make_refinable_scheme(specification).mask; }
+
+/// Values of the only solution of the equation of these levels as one.
+LatticeSequence at_integers(const std::vector<LatticeMask>& levels) { return limit_values(levels_as_one(levels), 0); }
+
+}  // namespace
+
+TEST_CASE("limits of levels of matrices: one mask, and masks of numbers on the diagonal") {
+  for (const char* one : {"merrien:lambda=-1/8,mu=1/2", "ghm", "hermite-dd:points=4,order=2,a=3"}) {
+    CAPTURE(one);
+    const LatticeMask mask = matrices(one);
+    const LatticeSequence alone = limit_values(mask, 0);
+    for (int level = 0; level <= 3; ++level) {
+      const LatticeSequence expected = limit_values(mask, level);
+      CHECK(limit_values(LevelMasks{{}, {mask}}, alone, level) == expected);
+      CHECK(limit_values(LevelMasks{{mask}, {mask, mask}}, alone, level) == expected);
+    }
+  }
+  // (phi, phi) for numbers, with phi that of their levels.
+  const std::vector<LatticeMask> numbers{lattice_mask("dd:n=2"), lattice_mask("bspline:degree=3")};
+  std::vector<LatticeMask> twice;
+  for (const LatticeMask& mask : numbers) {
+    std::vector<LatticeMask::Term> terms;
+    for (const LatticeMask::Term& term : mask.terms())
+      for (std::size_t c = 0; c < 2; ++c) terms.push_back({term.exponents, c, c, term.coefficient});
+    twice.push_back(matrix_mask(terms, 2, mask.dilation()));
+  }
+  const LimitValues integers = limit_values(LevelMasks{{}, {numbers[1], numbers[0]}}, 0);
+  LatticeSequence start;
+  for (std::size_t i = 0; i < integers.values.size(); ++i)
+    for (long c = 0; c < 2; ++c)
+      if (integers.values[i] != 0) start[{integers.first_index + static_cast<long>(i), c}] = integers.values[i];
+  for (int level = 0; level <= 3; ++level) {
+    const LimitValues expected = limit_values(LevelMasks{{numbers[0]}, {numbers[1], numbers[0]}}, level);
+    const LatticeSequence found = limit_values(LevelMasks{{twice[0]}, {twice[1], twice[0]}}, start, level);
+    for (std::size_t i = 0; i < expected.values.size(); ++i)
+      for (long c = 0; c < 2; ++c) {
+        const auto entry = found.find({expected.first_index + static_cast<long>(i), c});
+        CHECK((entry == found.end() ? Rational(0) : entry->second) == expected.values[i]);
+      }
+  }
+}
+
+TEST_CASE("limits of levels of matrices obey the equation of each level, and keep what all masks keep") {
+  const LatticeMask first = matrices("merrien:lambda=-1/8,mu=3/2"), second = matrices("merrien:lambda=-1/8,mu=-1/2");
+  const LevelMasks even{{}, {first, second}}, odd{{}, {second, first}};
+  const LatticeSequence values = at_integers(even.again);
+  for (int level = 0; level <= 4; ++level) {
+    const LatticeSequence coarse = limit_values(even, values, level),
+                          later = limit_values({{}, {second, first}}, at_integers(odd.again), level),
+                          fine = limit_values(even, values, level + 1);
+    // phi(x) = sum over k of A_k psi(2x - k), at x = i / 2^(level + 1).
+    LatticeSequence expected;
+    for (const LatticeMask::Term& term : first.terms())
+      for (const auto& [point, value] : later)
+        if (static_cast<long>(term.column) == point[1])
+          expected[{point[0] + (term.exponents[0] << level), static_cast<long>(term.row)}] += term.coefficient * value;
+    std::erase_if(expected, [](const auto& entry) { return entry.second == 0; });
+    CHECK(fine == expected);
+    // x^2 from its values and slopes at the integers, which both masks keep.
+    Rational sum = 0;
+    for (const auto& [point, value] : coarse) {
+      const long shift = point[0] >> level, at = point[0] - (shift << level);
+      if (at != (level > 0 ? 1 : 0)) continue;
+      const long datum = -shift;
+      sum += value * (point[1] == 0 ? datum * datum : 2 * datum);
+    }
+    CHECK(sum == (level > 0 ? power(Rational(1, 4), level) : Rational(0)));
+  }
+  CHECK_FAILS(limit_values(LevelMasks{{first}, {}}, values, 1), domain);
+  CHECK_FAILS(limit_values(LevelMasks{{matrices("hermite-dd:points=2,order=3")}, {first}}, values, 1), domain);
+  CHECK_FAILS(limit_values(even, values, -1), domain);
+  CHECK_FAILS(limit_values(even, values, 24), size);
 }

@@ -66,20 +66,31 @@ LatticeSequence vector_at_lattice_points(const Scheme& scheme, const LatticePoin
   return *vector.values;
 }
 
+/// Of masks that come again in the end.
+ExitCode run_levels(const LevelDependentScheme& scheme, const LimitCommandOptions& options) {
+  const LatticePoint orders{0};
+  const Scheme again = period_of(scheme);
+  if (scheme.form) {
+    const LatticeSequence values = limit_values(scheme.masks, vector_at_lattice_points(again, orders, options),
+                                                options.level);
+    const Scheme first{.specification = scheme.specification, .title = "", .mask = scheme.masks.at(0)};
+    return print_vector_values(first, by_points(values, first.mask.components(), 0), orders, options);
+  }
+  const Deadline deadline = Deadline::in(options.budget);
+  require_derivative(scheme.specification, again.mask, orders, {proof_levels, deadline});
+  return print_limit_values(scheme.specification, limit_values(scheme.masks, options.level, deadline), options);
+}
+
 /// Of masks that change from level to level.
 ExitCode run_levels(const std::variant<LevelDependentScheme, FollowedFamily>& levels, LimitCommandOptions options) {
   if (options.range || !options.derivative.empty())
     fail(ErrorKind::usage, "--{}: cannot be asked for with masks that change from level to level",
          options.range ? "range" : "derivative");
   if (options.level < 0) options.level = usual_level;
-  if (const auto* family = std::get_if<FollowedFamily>(&levels))
-    return print_limit_values(family->specification,
-                              limit_values(family->family.mask, family->recurrence, family->start, options.level),
-                              options);
-  const auto& scheme = std::get<LevelDependentScheme>(levels);
-  const Deadline deadline = Deadline::in(options.budget);
-  require_derivative(scheme.specification, levels_as_one(scheme.masks.again).curve(), {0}, {proof_levels, deadline});
-  return print_limit_values(scheme.specification, limit_values(scheme.masks, options.level, deadline), options);
+  if (const auto* scheme = std::get_if<LevelDependentScheme>(&levels)) return run_levels(*scheme, options);
+  const auto& family = std::get<FollowedFamily>(levels);
+  return print_limit_values(family.specification,
+                            limit_values(family.family.mask, family.recurrence, family.start, options.level), options);
 }
 
 ExitCode run(LimitCommandOptions options) {
@@ -92,7 +103,9 @@ ExitCode run(LimitCommandOptions options) {
     fail(ErrorKind::usage, "--range: takes neither --level nor --derivative");
   if (options.level < 0) options.level = dimension > 1 ? usual_level_of_surfaces : usual_level;
   if (scheme.form) {
-    return print_vector_values(scheme, vector_at_lattice_points(scheme, orders, options), orders, options);
+    const LatticeSequence values = vector_at_lattice_points(scheme, orders, options);
+    return print_vector_values(scheme, limit_values(scheme.mask, scheme.quadratic, values, options.level, orders),
+                               orders, options);
   }
   const Deadline deadline = Deadline::in(options.budget);
   require_derivative(scheme.specification, scheme.mask, orders, {proof_levels, deadline});

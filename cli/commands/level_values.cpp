@@ -22,10 +22,10 @@ LevelDependentScheme scheme_of_list(const std::string& file) {
   const properties::MaskListFile read = read_lists(file);
   if (read.list.period.empty())
     fail(ErrorKind::usage, "{}: expected period = [...], which says what mask each level takes", file);
-  if (read.list.masks.front().components() > 1)
-    fail(ErrorKind::usage, "{}: levels of data and of limits are of masks of numbers", file);
   std::vector<std::string> names;
   LevelDependentScheme result;
+  if (read.list.masks.front().components() > 1)
+    result.form = read.list.hermite ? VectorForm::hermite : VectorForm::vector;
   for (const std::size_t number : read.list.period) {
     names.push_back(read.specifications[number]);
     result.masks.again.emplace_back(read.list.masks[number]);

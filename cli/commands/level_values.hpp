@@ -39,7 +39,7 @@ struct FollowedFamily {
   LevelDependentScheme levels(int count) const;
 };
 
-/// Nothing where one mask for all levels is meant. Errors: throws Error.
+/// Nothing where one mask for all levels is meant. The masks of a list may be of matrices. Errors: throws Error.
 std::optional<std::variant<LevelDependentScheme, FollowedFamily>> read_levels(const std::string& scheme,
                                                                               const LevelOptions& options);
 

@@ -1,6 +1,5 @@
 #include "limit_page.hpp"
 
-#include <subcert/analysis/limit/field_values.hpp>
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/reports/facts/limit_facts.hpp>
@@ -134,11 +133,10 @@ ExitCode print_limit_values(const std::string& scheme, const EnclosedLimitValues
   return done;
 }
 
-ExitCode print_vector_values(const Scheme& scheme, const LatticeSequence& at_lattice_points, const LatticePoint& orders,
+ExitCode print_vector_values(const Scheme& scheme, const FieldValues& values, const LatticePoint& orders,
                              const LimitPageOptions& options) {
   constexpr long bits = 256;
   const std::size_t size = scheme.mask.components();
-  const FieldValues values = limit_values(scheme.mask, scheme.quadratic, at_lattice_points, options.level, orders);
   if (options.json) {
     Json points = Json::array(), numbers = Json::array();
     for (const auto& [point, vector] : values) {

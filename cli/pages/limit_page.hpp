@@ -2,6 +2,7 @@
 /// What `subcert limit` prints: values of the basic limit function and its derivatives, or its extremes and sign.
 
 #include <subcert/analysis/family/limit_values_of_levels.hpp>
+#include <subcert/analysis/limit/field_values.hpp>
 #include <subcert/cli/paper_form.hpp>
 
 namespace subcert::cli {
@@ -22,8 +23,8 @@ ExitCode print_limit_values(const std::string& scheme, const LimitValues& values
 ExitCode print_limit_values(const std::string& scheme, const EnclosedLimitValues& values,
                             const LimitPageOptions& options);
 
-/// The same of the vector of functions with these values at lattice points.
-ExitCode print_vector_values(const Scheme& scheme, const LatticeSequence& at_lattice_points, const LatticePoint& orders,
+/// The same of a vector of functions with these values at M^-level i, i their indices.
+ExitCode print_vector_values(const Scheme& scheme, const FieldValues& values, const LatticePoint& orders,
                              const LimitPageOptions& options);
 
 /// Domain: schemes that converge; of one variable by contraction, else the answer is a refusal. Errors: throws a usage

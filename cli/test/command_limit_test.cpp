@@ -97,6 +97,24 @@ TEST_CASE("limit: masks that change from level to level") {
   const std::string pair = folder.write("pair.toml", "masks = [\"dd:n=2\", \"bspline:degree=3\"]\nperiod = [0, 1]\n");
   CHECK(run_json("limit lists:" + pair + " --level 0").at("values").at(3) == "82/93");
   CHECK(run_json("limit lists:" + pair).at("level") == 8);
+  // Masks of matrices: one in turn with itself, the parameters of a family, and two that take turns.
+  const auto of_list = [&](const std::string& name, const std::string& masks, const std::string& period) {
+    return "limit lists:" + folder.write(name, "masks = [" + masks + "]\n" + period);
+  };
+  const std::string merrien = "merrien:lambda=-1/8,mu=", two = "\"" + merrien + "3/2\", \"" + merrien + "-1/2\"";
+  CHECK(run(of_list("one.toml", "\"ghm\"", "period = [0, 0]") + " --level 2").out == run("limit ghm --level 2").out);
+  const std::string turn = of_list("two.toml", two, "period = [0, 1]") + " --level ";
+  const auto vectors = run_json(turn + "2");
+  CHECK(vectors.at("scheme") == merrien + "3/2, " + merrien + "-1/2 again and again");
+  CHECK(vectors.at("components") == 2);
+  CHECK(vectors.at("dilation") == std::vector<std::vector<int>>{{2}});
+  CHECK(run(turn + "2 --latex").code == 0);
+  CHECK(run(of_list("any.toml", two, "") + " --level 1").code == 64);
+  check_fails(run(turn + "1 --derivative 1"), 64,
+              "--derivative: cannot be asked for with masks that change from level to level");
+  CHECK(run(turn + "60").code == 64);
+  CHECK(run(of_list("apart.toml", "\"" + merrien + "2\", \"" + merrien + "5\"", "period = [0, 1]")).code == 1);
+  CHECK(run("limit merrien:lambda=-1/8,mu=w --recurrence w=w/2 --start w0=1").code == 64);
   CHECK(run("limit four-point:w --recurrence w=w/2+1/2 --start w0=0").code == 2);
   CHECK(run("limit four-point:w --values w=1/16,1").code == 1);
   check_fails(run(spline + " --range"), 64, "--range: cannot be asked for with masks that change from level to level");

@@ -408,6 +408,37 @@ TEST_CASE("titles of pictures are whole: in lines, and no sign of a specificatio
   CHECK(contains(picture, ">1]/4096@0<"));
 }
 
+TEST_CASE("values and derivatives are refined with a mask for each level") {
+  const Folder folder;
+  const std::string merrien = "merrien:lambda=-1/8,mu=",
+                    list = "lists:" + folder.write("list.toml", "masks = [\"" + merrien + "3/2\", \"" + merrien +
+                                                                    "-1/2\"]\nperiod = [0, 1]\n"),
+                    data = folder.write("data.csv", "x,y,s\n0,1,0\n2,3,1\n4,0,-2\n6,1,1\n");
+  const std::string once = folder.write("once.csv", run("refine " + merrien + "3/2 " + data + " --levels 1").out),
+                    twice = run("refine " + list + " " + data + " --levels 2").out;
+  CHECK(twice == run("refine " + merrien + "-1/2 " + once + " --levels 1").out);
+  CHECK(run("refine merrien:lambda=-1/8,mu=w " + data + " --values w=3/2,-1/2 --levels 2").code == 64);
+  // Closed curves, pictures, what a vector scheme needs.
+  const std::string closed = folder.write("closed.csv", "1,0\n0,1\n-1,0\n"), plot = folder / "plot.svg";
+  CHECK(run_json("refine " + list + " " + closed + " --closed --levels 3 --plot " + plot).at("count") == 24);
+  CHECK(std::filesystem::exists(plot));
+  const std::string splines = "lists:" + folder.write("splines.toml",
+                                                      "masks = [\"ghm\", \"bspline:degree=3,multiplicity=2\"]\n"
+                                                      "period = [0, 1]\n");
+  CHECK(run_json("refine " + splines + " " + closed + " --closed --levels 2").at("count") == 12);
+  check_fails(run("refine " + splines + " " + data + " --levels 2"), 65,
+              data +
+                  ": expected a multiple of 2 columns for ghm, bspline:degree=3,multiplicity=2 again and again, "
+                  "the first numbers of all vectors, then the second and so on; found 3");
+  CHECK(run("refine " + splines + " " + closed + " --levels 2").code == 64);
+  CHECK(run("refine " + list + " " + folder.write("one.csv", "1,0\n")).code == 65);
+  CHECK(run("refine " + list + " " + folder.write("text.csv", "1,nan\n2,3\n")).code == 65);
+  check_fails(run("refine " + list + " " + data + " --limit"), 64,
+              "--limit: " + merrien + "3/2, " + merrien +
+                  "-1/2 again and again: limits are of schemes of numbers in one variable and their tensor products");
+  CHECK(run("refine lists:" + folder.write("any.toml", "masks = [\"ghm\"]") + " " + closed).code == 64);
+}
+
 TEST_CASE("data are refined with a mask for each level") {
   const Folder folder;
   const std::string line = folder.write("line.csv", "5\n3\n1\n2\n4\n2\n"), halving = " --recurrence 'v=sqrt((1+v)/2)'";

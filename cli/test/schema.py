@@ -24,6 +24,7 @@ FILES = {
     "p.toml": '[[scheme]]\nmask = "chaikin"\nsmoothness = ">= 1"\nholder = ">= 3"\n\n[[scheme]]\nmask = "mask:[-1,0,3,3,0,-1]/2"\n'
               "stable = true\n",
     "w.toml": 'scheme = "loop"\nletter = "b"\n[[rule]]\nweights = {vertex = "1-b", neighbours = "b/n"}\n',
+    "m.toml": 'masks = ["merrien:lambda=-1/8,mu=3/2", "merrien:lambda=-1/8,mu=-1/2"]\nperiod = [0, 1]\n',
     "l.toml": 'masks = ["dd:n=2", "bspline:degree=3"]\n',
     "j.json": '{"matrices": [[["1/2","0"],["1","3"]], [["1","0"],["0","1/7"]]]}',
     "d.csv": "x,y\n" + "".join(f"{i},{i * i % 7}\n" for i in range(40)),
@@ -48,6 +49,10 @@ regularity merrien:lambda=-1/8,mu=1/2
 analyze hermite-dd:points=2,order=2
 limit dd:n=2 --level 2
 limit primal:n=3 --level 1 --derivative 1
+limit loop --level 0
+limit cl:2 --level 1
+limit exponential-bspline:v --recurrence v=sqrt((1+v)/2) --start v0=1/2 --level 0
+limit lists:m.toml --level 2
 variance primal:n=2
 atlas dd:n=2 --atlas a.sqlite
 atlas mask:[1,0,0,1] --atlas a.sqlite

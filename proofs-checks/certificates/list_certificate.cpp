@@ -13,6 +13,7 @@ namespace {
 using namespace certificate_text;
 
 constexpr int levels_of_bounds = 8;  // of the norms beside the radius
+constexpr double most_classes = 64;  // of levels as one mask, of which checkers tell whether shifts are stable
 
 std::string order_text(const MaskList& list) {
   if (!list.period.empty()) return fmt::format("period={}", fmt::join(list.period, ","));
@@ -22,23 +23,47 @@ std::string order_text(const MaskList& list) {
   return fmt::format("follows={}", fmt::join(pairs, ","));
 }
 
-/// The lower end by the radius of a family for differences of this order; nothing where it is not positive.
+/// The upper end by the product of a radius, for differences of this order.
+std::string upper_end_by(const ProductEvidence& product, int order, int arity) {
+  return outward(order - *log_ratio(proved_lower(product), arity).lower, Rounding::up);
+}
+
+/// The lower end by the radius of a family for differences of this order; nothing where it is not positive. `upper`:
+/// that of one sequence whose shifts checkers show to be stable, by the product of the radius.
 std::optional<Certificate> of_all(ClaimSubject subject, int order, int arity, const MatrixFamily& family,
-                                  const JointSpectralRadius& radius, bool transposed = false) {
+                                  const JointSpectralRadius& radius, bool transposed = false,
+                                  const std::optional<std::string>& upper = {}) {
   const Rational lower = order - *log_ratio(upper_end(radius, {}), arity).upper;
   if (lower <= 0) return std::nullopt;
-  const ClaimedEnds ends{outward(lower, Rounding::down), {}};
+  const ClaimedEnds ends{outward(lower, Rounding::down), upper};
   Certificate certificate{{ends, std::move(subject)}, {}, ends};
   certificate.sections.push_back(
-      {fmt::format("sum-rules {}{}\n{}", order, transposed ? " transposed" : "", blocks_text(radius))});
+      {fmt::format("sum-rules {}{}\n{}{}{}", order, transposed ? " transposed" : "", upper ? "stability\n" : "",
+                   blocks_text(radius), upper ? product_text(family, radius) : "")});
   add_sections(certificate, radius.proof, family.count());
   return certificate;
 }
 
-Certificate of_sequence(const MaskList& list, const std::vector<std::size_t>& sequence, const Budget& budget) {
+Mask in_one(const MaskList& list, const std::vector<std::size_t>& sequence) {
   std::vector<LatticeMask> levels;
   for (const std::size_t number : sequence) levels.push_back(list.masks.at(number));
-  const Mask one = levels_as_one(levels).curve();
+  return levels_as_one(levels).curve();
+}
+
+/// Of masks of numbers in any order or along a graph: the upper end, where the product of the radius shows it as it
+/// stands, and checkers can tell that the shifts of its sequence are stable.
+std::optional<std::string> upper_end_of(const MaskList& list, const ExponentOfList& found) {
+  const ProductEvidence& product = found.radius.product;
+  double classes = 1;
+  for (std::size_t k = 0; k < found.sequence.size(); ++k) classes *= list.masks.front().arity();
+  if (!found.exponent.upper || proved_lower(product) <= 1 || classes > most_classes) return std::nullopt;
+  const Mask one = in_one(list, found.sequence);
+  if (common_factor_of_cosets(one).length() != 1) return std::nullopt;
+  return upper_end_by(product, found.sum_rules, list.masks.front().arity());
+}
+
+Certificate of_sequence(const MaskList& list, const std::vector<std::size_t>& sequence, const Budget& budget) {
+  const Mask one = in_one(list, sequence);
   Certificate certificate = exponent_certificate(
       one, holder_regularity(one, levels_of_bounds, budget, HolderProof::certificate));
   certificate.claim.subject = list_subject({list.masks, sequence});
@@ -174,7 +199,8 @@ std::vector<Certificate> list_certificates(const MaskList& list, const ExponentO
     add_functions(result, found, budget);
     return result;
   }
-  auto all = of_all(list_subject(found.list), found.sum_rules, list.masks.front().arity(), found.family, found.radius);
+  auto all = of_all(list_subject(found.list), found.sum_rules, list.masks.front().arity(), found.family, found.radius,
+                    false, list.period.empty() ? upper_end_of(list, found) : std::nullopt);
   if (!all) return result;
   if (list.period.empty()) result.push_back(std::move(*all));
   if (found.exponent.upper || !list.period.empty()) result.push_back(of_sequence(list, found.sequence, budget));

@@ -678,7 +678,7 @@ var check_certificate = (() => {
     if (rounding) errors = plus(errors, over(delta(word.length, norm_of_family(block), rounding.e), unit));
     const radius = with_inverse ? by_inverse(reader, N, y, unit, errors) : by_polynomial(N, y, h, errors, rounding);
     demand(sign(radius) > 0, 'the product proves no positive spectral radius');
-    return {radius: times(radius, over(unit, h)), length: word.length};
+    return {radius: times(radius, over(unit, h)), length: word.length, letters: word};
   }
   function value_and_slope(p, y, h) {  // h^n p(c) and h^(n-1) p'(c) for c = (y_0 + i y_1) / h, by Horner's rule
     const step = ([re, im], add) => [re * y[0] - im * y[1] + add[0], re * y[1] + im * y[0] + add[1]], n = p.length - 1;
@@ -1772,8 +1772,8 @@ var check_certificate = (() => {
     demand(in_blocks || !part || !part.unobservable, "expected 'blocks', those of what is unobservable first");
     const blocks = !in_blocks ? [family] : family.field ? read_field_blocks(reader, family, part) : read_blocks(reader, family, part);
     if (goal.above || reader.peek() === 'product') {
-      const {radius, length} = product(reader, blocks, rounding);
-      if (goal.above) goal.above(radius, length);
+      const {radius, length, letters} = product(reader, blocks, rounding);
+      if (goal.above) goal.above(radius, length, letters);
     }
     const sections = [];
     if (goal.below || exact || reader.peek() === 'block')
@@ -2062,8 +2062,10 @@ var check_certificate = (() => {
     return {arity, degree: count - 1, q: masks.map(() => den), a, components: r, first};
   }
   const spread = (p, step) => range_of((p.length - 1) * step + 1).map(i => i % step ? 0n : p[i / step]);
-  function masks_in_one({masks, arity, period}) {
-    const [first, ...others] = period.map(k => masks[k]);
+  function masks_in_one({masks, arity}, sequence) {
+    demand(arity ** sequence.length <= 64, 'a longer period than the checker allows');
+    const [first, ...others] = sequence.map(k => masks[k]), points = sequence.reduce((length, k) => arity * (length - 1) + masks[k].a.length, 1);
+    demand(points <= 1000, 'the masks of a period have more than 1000 coefficients together');
     return others.reduce((one, next) => ({
       arity: one.arity * arity, degree: 0, q: [one.q[0] * next.q[0]],
       a: product_of(next.a.map(x => x[0]), spread(one.a.map(x => x[0]), arity)).map(x => [x]),
@@ -2133,15 +2135,32 @@ var check_certificate = (() => {
     });
     return {size, den: whole, weights: [1n], symbol: null, matrices};
   }
-  function check_choices(reader, {list, curve, interval, lower, exact}) {
+  function check_choices(reader, {list, curve, interval, lower, upper, exact}) {
     if (list) check_constants(list);
     demand(!exact, 'an exact number is that of one mask or family');
     const [order_token, transposed] = reader.read('sum-rules', 1, list ? 1 : 2), order = small(order_token, 1, 500);
     demand(transposed === undefined || transposed === 'transposed', "expected 'transposed' or nothing");
-    check_ends(lower, null, 1);
+    check_ends(lower, upper, 1);
+    const by_sequence = Boolean(upper) || (list && reader.peek() === 'stability');
+    if (by_sequence) reader.read('stability');
     const family = list ? list_family(list, order) : each_point_family(curve, interval, order), {arity} = list || curve;
     if (transposed) family.matrices = family.matrices.map(m => m.map((row, k) => row.map((_, j) => m.at(-1 - j).at(-1 - k))));
-    prove(reader, family, {below: at_most(power_below(BigInt(arity), minus(order, lower)), false)});
+    const goal = {below: at_most(power_below(BigInt(arity), minus(order, lower)), false)};
+    const reached = upper && at_least(over(1n, power_below(BigInt(arity), minus(upper, order))));
+    if (by_sequence)
+      goal.above = (radius, length, letters) => {
+        check_sequence(list, letters, order);
+        if (!upper) return;
+        demand(less(1n, radius), no_exponent);
+        reached(radius, length);
+      };
+    prove(reader, family, goal);
+  }
+  // Stable shifts of the limits of the sequence with the masks of a product again and again
+  function check_sequence(list, letters, order) {
+    const {arity, follows} = list, masks = letters.map(T => follows.length ? follows[Math.floor(T / arity)][1] : Math.floor(T / arity));
+    const period = range_of(masks.length).map(i => i + 1).find(n => masks.length % n === 0 && masks.every((k, i) => k === masks[i % n]));
+    check_stability(masks_in_one(list, masks.slice(0, period)), order, null, null);
   }
   // w -> STEP or the root of it: the numerator and the denominator, and the first values
   function read_following(step, start, from, letter) {
@@ -4047,8 +4066,8 @@ var check_certificate = (() => {
                      (for those that follow from each other; sqrt[P]/(Q); LOW..inf --from some)
        subcert-check --mask ... --levels RANGE --recurrence ... --limit V [--lower P/Q [--upper P/Q]] FILE
                      (for those that tend to V; <=; --exact as below)
-       subcert-check --masks 'MASK;MASK;...' --arity A --order any --lower P/Q FILE    (for all sequences of these
-                     masks; follows=0-1,1-0,...: for those where each pair is one of these)
+       subcert-check --masks 'MASK;MASK;...' --arity A --order any --lower P/Q [--upper P/Q] FILE    (for all sequences
+                     of these masks, and the upper end for one of them; follows=0-1,1-0,...: for those where each pair is one of these)
        subcert-check --masks ... --arity A --order period=0,1,...    (in turn; the rest as with --mask)
        subcert-check --mask MASK --arity A [--for RANGE] --upper CK FILE    (no C^K limits, K = 1, 2, ...)
        subcert-check --mask MASK --arity A --within EPS,M [--lower P/Q [--upper P/Q]] FILE    (for all masks
@@ -4103,7 +4122,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       ['recurrence', 'start', 'from'].every(name => has(name) === has('from')) && (has('levels') || none('from')) &&
       (none('limit') || (has('mask', 'from') && some('lower', 'exact') && !rough && none('logarithm')));
     const curve = of_levels && has('mask') !== has('masks') && has('arity') && none('surface', 'refinable', 'integral', 'component', 'vertex', 'dilation', 'matrices', 'subradius') &&
-      (!follow || (has('lower') && none('upper'))) && has('masks') === has('order') &&
+      (!follow || (has('lower') && !rough)) && has('masks') === has('order') &&
       (none('masks') || none('for', 'levels', 'each-point', 'within')) && !(follow && has('exact')) &&
       (!has('upper') || some('lower', 'for', 'exact', 'attains') || (rough && none('within'))) && !(rough && has('within')) &&
       !(has('exact') && (some('for', 'each-point', 'within') || (has('levels') && none('limit')))) && !(has('logarithm') && none('exact', 'attains')) &&
@@ -4181,9 +4200,7 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       claim.head = `${kind_of} ${options[kind_of]} ${options.arity}${claim.values}${claim.levels ? ' levels' : ''}${claim.following}`;
     } else if (options.masks !== undefined) {
       claim.list = read_list(options.masks, small(options.arity, 2, 16), options.order);
-      const {masks, arity, period} = claim.list, points = period.reduce((length, k) => arity * (length - 1) + masks[k].a.length, 1);
-      demand(points <= 1000, 'the masks of a period have more than 1000 coefficients together');
-      if (kind === check_curve) claim.curve = masks_in_one(claim.list);
+      if (kind === check_curve) claim.curve = masks_in_one(claim.list, claim.list.period);
       claim.head = `lists ${options.masks} ${options.arity} ${options.order}`;
     } else if (kind === check_curve || kind === check_choices) {
       const arity = small(options.arity, 2, 16);
@@ -4259,7 +4276,8 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     : options.for === undefined ? ` for all choices for each new point of ${options['each-point']}` : ` for all ${options.for}`;
   function text_of({options, of_family, lower, upper, rough, interval, levels, list}) {
     const relation = interval && options['each-point'] === undefined ? ' < ' : ' <= ';
-    let what = of_family ? `joint spectral ${of_family.what}` : 'Hoelder exponent';
+    const least = list && !list.period.length && upper ? 'least ' : '';  // of all sequences
+    let what = of_family ? `joint spectral ${of_family.what}` : `${least}Hoelder exponent`;
     const {attains} = options, product = attains === undefined ? []
       : [`${small(options.within.split(',')[1], 1, 500)}-log rho(${attains})^1/${attains.split(',').length}`];
     const [number_text = options.exact] = product, exact = number_text !== undefined, power =

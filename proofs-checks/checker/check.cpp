@@ -172,7 +172,7 @@ class Checker {
       blocks = near_blocks(divided);
     else if (divided)
       std::tie(blocks, unobservable_blocks_) = read_blocks(family, component_, reader_, arithmetic_);
-    if (lower_ || reader_.at("product")) read_product(blocks);
+    if (lower_ || by_sequence_ || reader_.at("product")) read_product(blocks);
     const bool sections = upper_ || exact_ || reader_.at("block 0");
     const auto goal = std::tuple(upper_, strict_, exact_);
     for (std::size_t i = 0; sections && i < blocks.size(); ++i) {
@@ -228,10 +228,12 @@ class Checker {
   Family read_choices() {
     require(!exact_, "an exact number is that of one mask or family");
     const Fields fields = reader_.take("sum-rules", 1, claim_.each_point ? 2 : 1);
-    const std::size_t sum_rules = parse_size(fields[0], 1, 500);
+    const std::size_t sum_rules = sum_rules_ = parse_size(fields[0], 1, 500);
     const bool transposed = fields.size() == 2;
     require(!transposed || fields[1] == "transposed", "expected 'transposed' or nothing");
     show_exponent(claim_.arity, power(claim_.arity, sum_rules), sum_rules);
+    by_sequence_ = claim_.list && (claim_.upper || reader_.at("stability"));
+    if (by_sequence_) reader_.take("stability", 0, 0);
     if (!claim_.each_point) return list_family(*claim_.list, sum_rules);
     Family family = each_point_family(*claim_.mask, claim_.arity, *claim_.range, sum_rules, arithmetic_);
     if (transposed) family.reflect();
@@ -367,6 +369,7 @@ class Checker {
       check_eigenvalue(family, weights_, given.letters, given.re, given.im, arithmetic_);
     else
       radius = spectral_radius_bound(family, given, entry_error_, reader_, arithmetic_);
+    if (by_sequence_) check_stability(*claim_.list, given.letters, sum_rules_, arithmetic_);
     if (!lower_) return;
     const mpq_class value = power(radius, root_), least = power(above_, given.letters.size());
     require(value > least || (claim_.is_of_values() && value == least),
@@ -473,6 +476,7 @@ class Checker {
   std::optional<ExactRadius> exact_;
   std::size_t exact_order_ = 0;
   std::size_t sum_rules_ = 0;
+  bool by_sequence_ = false;               // section 6.5: a product says of which sequence of masks there is more
   std::vector<std::size_t> exponentials_;  // section 6.10: the factors of the masks beside these
   bool attained_ = false;                  // a block has the exact radius
   std::size_t reaching_ = 0;               // blocks that have it, or may have it

@@ -19,9 +19,10 @@ const char* const usage =
     "                     (for those that follow from each other; sqrt[P]/(Q); LOW..inf --from some)\n"
     "       subcert-check --mask ... --levels RANGE --recurrence ... --limit V [--lower P/Q [--upper P/Q]] FILE\n"
     "                     (for those that tend to V; <=; --exact as below)\n"
-    "       subcert-check --masks 'MASK;MASK;...' --arity A --order any --lower P/Q FILE    (for all sequences of "
-    "these\n"
-    "                     masks; follows=0-1,1-0,...: for those where each pair is one of these)\n"
+    "       subcert-check --masks 'MASK;MASK;...' --arity A --order any --lower P/Q [--upper P/Q] FILE    (for all "
+    "sequences\n"
+    "                     of these masks, and the upper end for one of them; follows=0-1,1-0,...: for those where each "
+    "pair is one of these)\n"
     "       subcert-check --masks ... --arity A --order period=0,1,...    (in turn; the rest as with --mask)\n"
     "       subcert-check --mask MASK --arity A [--for RANGE] --upper CK FILE    (no C^K limits, K = 1, 2, ...)\n"
     "       subcert-check --mask MASK --arity A --within EPS,M [--lower P/Q [--upper P/Q]] FILE    (for all masks\n"
@@ -128,14 +129,11 @@ void read_masks_claim(const std::string& masks, const std::string& arity, const 
   const std::vector<std::size_t>& period = claim.list->period;
   if (!period.empty()) {
     Arithmetic arithmetic;
-    std::size_t points = 1;
-    for (const std::size_t k : period) points = claim.arity * (points - 1) + claim.list->masks[k].points();
-    require(points <= 1000, "the masks of a period have more than 1000 coefficients together");
     claim.mask = masks_in_one(*claim.list, period, arithmetic);
-    claim.arity = static_cast<unsigned>(power(claim.arity, period.size()).get_num().get_ui());
+    claim.arity = arity_in_one(*claim.list, period.size());
   }
   claim.head = "lists " + masks + " " + arity + " " + order;
-  claim.text = "Hoelder exponent";
+  claim.text = claim.upper && period.empty() ? "least Hoelder exponent" : "Hoelder exponent";
   claim.subject = masks + " with arity " + arity + (period.empty() ? " for all sequences of levels" : " for levels") +
                   (order == "any" ? "" : " with " + order);
 }
@@ -239,7 +237,7 @@ Claim read_claim(const std::vector<std::string>& arguments) {
               (!limit || (mask && from && !rough && !logarithm)) && (mask || !each) && !(range && rounding) &&
               (!of_matrices || (!exact && lower.has_value() != upper.has_value())) &&
               values.has_value() + levels.has_value() + each.has_value() <= 1 &&
-              !(((levels && !limit) || each || follow_each_other) && (upper || !lower)) &&
+              !(((levels && !limit) || each) && (upper || !lower)) && !(follow_each_other && (rough || !lower)) &&
               !(exact && (of_values || rounding || follow_each_other)) && (!attains || rounding) &&
               (exact || attains || lower || (upper ? matrices || of_values || rough || of_matrices : one && !limit)) &&
               (!rough || (one && !rounding)) && (!logarithm || (one && (exact || attains))) &&

@@ -80,10 +80,9 @@ void parse_order(std::string_view order, MaskList& list) {
   const auto number = [&](std::string_view text) { return parse_size(text, 0, list.masks.size() - 1); };
   constexpr std::string_view period = "period=", follows = "follows=";
   if (order.starts_with(period)) {
-    unsigned classes = 1;
     for (const std::string_view text : split(order.substr(period.size()), ",")) {
       list.period.push_back(number(text));
-      require((classes *= list.arity) <= most_classes, "a longer period than the checker allows");
+      arity_in_one(list, list.period.size());
     }
   } else if (order.starts_with(follows)) {
     for (const std::string_view text : split(order.substr(follows.size()), ",")) {
@@ -187,6 +186,9 @@ Vector product_of_symbols(const Vector& symbol, const Vector& factor, std::size_
 }
 
 Mask masks_in_one(const MaskList& list, const std::vector<std::size_t>& sequence, Arithmetic& arithmetic) {
+  std::size_t points = 1;
+  for (const std::size_t k : sequence) points = list.arity * (points - 1) + list.masks[k].points();
+  require(points <= 1000, "the masks of a period have more than 1000 coefficients together");
   Mask one = list.masks[sequence.front()];
   for (std::size_t level = 1; level < sequence.size(); ++level) {
     const Mask& next = list.masks[sequence[level]];
@@ -195,6 +197,27 @@ Mask masks_in_one(const MaskList& list, const std::vector<std::size_t>& sequence
   }
   one.sizes = {one.coefficients.size()};
   return one;
+}
+
+unsigned arity_in_one(const MaskList& list, std::size_t levels) {
+  unsigned classes = 1;
+  for (std::size_t level = 0; level < levels; ++level)
+    require((classes *= list.arity) <= most_classes, "a longer period than the checker allows");
+  return classes;
+}
+
+void check_stability(const MaskList& list, const std::vector<std::size_t>& product, std::size_t sum_rules,
+                     Arithmetic& arithmetic) {
+  std::vector<std::size_t> sequence;
+  for (const std::size_t letter : product)
+    sequence.push_back(list.follows.empty() ? letter / list.arity : list.follows[letter / list.arity].second);
+  std::size_t period = 1;
+  while (sequence.size() % period != 0 ||
+         !std::equal(sequence.begin() + static_cast<std::ptrdiff_t>(period), sequence.end(), sequence.begin()))
+    ++period;
+  sequence.resize(period);
+  const unsigned arity = arity_in_one(list, sequence.size());
+  check_stability(masks_in_one(list, sequence, arithmetic), arity, sum_rules, Range{}, 0, arithmetic);
 }
 
 void check_constants(const MaskList& list) {

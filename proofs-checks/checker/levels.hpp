@@ -30,8 +30,17 @@ MaskList parse_matrix_mask_list(std::string_view masks, unsigned arity, std::str
 /// All masks of matrices on the same points, the numbers of the masks in place of the powers of a parameter.
 Mask masks_as_powers(const MaskList& list);
 
-/// The first mask, then the next one, and so on, as one mask of the arity to the power of their number.
+/// The arity of so many levels as one. Rejects more classes than 64.
+unsigned arity_in_one(const MaskList& list, std::size_t levels);
+
+/// The first mask, then the next one, and so on, as one mask of the arity to the power of their number. Rejects more
+/// than 1000 coefficients.
 Mask masks_in_one(const MaskList& list, const std::vector<std::size_t>& sequence, Arithmetic& arithmetic);
+
+/// Of the sequence of the masks of a product of matrices of list_family again and again, that of the first level first:
+/// rejects unless its limits have stable shifts, for so many sum rules of each mask.
+void check_stability(const MaskList& list, const std::vector<std::size_t>& product, std::size_t sum_rules,
+                     Arithmetic& arithmetic);
 
 /// Rejects unless each mask keeps constant data.
 void check_constants(const MaskList& list);

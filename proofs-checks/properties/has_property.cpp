@@ -256,15 +256,8 @@ const std::vector<Property>& known_properties() {
        holder_of_vector},
       {"sobolev", comparison, "the Sobolev exponent", Expects::comparison, sobolev, sobolev_of_surface, Kind::sobolev,
        sobolev_of_vector},
-      {"HC",
-       "\">= K\"",
-       "HC^K: data of a Hermite scheme converge to a C^K function and its derivatives",
-       Expects::order,
-       nullptr,
-       nullptr,
-       {},
-       hermite,
-       true},
+      {"HC", "\">= K\"", "HC^K: data of a Hermite scheme converge to a C^K function and its derivatives",
+       Expects::order, nullptr, nullptr, Kind::hermite, hermite, true},
       {"sum_rules", whole, "the number of sum rules", Expects::whole_number, rules, rules},
       {"generates", whole, "the largest degree of polynomials that are limits", Expects::whole_number, generates,
        generates},
@@ -316,7 +309,8 @@ std::string kind_of(const Scheme& scheme) {
 
 bool Property::of_levels() const {
   using Kind = RangeProperty::Kind;
-  return of_ranges == Kind::convergent || of_ranges == Kind::smooth || of_ranges == Kind::holder;
+  return of_ranges == Kind::convergent || of_ranges == Kind::smooth || of_ranges == Kind::holder ||
+         of_ranges == Kind::hermite;
 }
 
 const Property* find_property(std::string_view name) {

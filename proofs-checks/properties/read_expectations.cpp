@@ -1,6 +1,7 @@
 #include "deciding.hpp"
 #include "mask_list_table.hpp"
 
+#include <subcert/analysis/family/property_of_levels.hpp>
 #include <subcert/analysis/symbol/numbers/decimal.hpp>
 #include <subcert/analysis/symbol/support/parse_error.hpp>
 #include <subcert/proofs-checks/toml_fields.hpp>
@@ -175,13 +176,12 @@ std::optional<Interval> read_start(const std::string& text, const std::string& n
   return range ? std::optional(Interval{range->low, range->high}) : std::nullopt;
 }
 
-/// The values of the parameter, closed ends included, of a family of numbers.
+/// The values of the parameter, closed ends included.
 Interval read_values(const toml::node& node, const char* key, const ParametricScheme& family) {
   const std::string &name = family.name, range = "\"LOW <= " + name + " <= HIGH\" with LOW < HIGH";
   const auto values = parse_parameter_range(text_of(node, key, range), name);
   if (!values || !values->low_included || !values->high_included)
     throw FileError(place_of(node), fmt::format("'{}' takes {}", key, range));
-  if (family.form) throw FileError(place_of(node), fmt::format("'{}' is for masks of numbers", key));
   return {values->low, values->high};
 }
 
@@ -241,6 +241,7 @@ Subject read_subject(const toml::table& table) {
     if (points) {
       ParametricScheme family = make_parametric_scheme(specification);
       const Interval values = read_values(*points, "points", family);
+      if (family.form) throw FileError(place_of(*points), "'points' is for masks of numbers");
       return SchemePoints{std::move(family), values};
     }
     return make_refinable_scheme(specification);
@@ -260,6 +261,38 @@ struct SpecificationOf {
     return scheme.specification;
   }
 };
+
+/// Whether it is a Hermite scheme, or all are.
+struct IsHermite {
+  bool operator()(const Scheme& scheme) const { return scheme.form == VectorForm::hermite; }
+  bool operator()(const SchemeList& list) const { return list.list.hermite; }
+  template <class Family>
+  bool operator()(const Family& one) const {
+    return one.family.form == VectorForm::hermite;
+  }
+};
+
+/// Of several schemes: that the property is one of them, and is asked for in a way that can be answered for all.
+void require_for_all(const ExpectedScheme& scheme, const Property& property, const Expectation& expected) {
+  if (property.of_hermite && !std::visit(IsHermite(), scheme.scheme))
+    throw FileError(expected.place, "'" + property.name + "' is a property of Hermite schemes, got others");
+  const bool range = std::holds_alternative<SchemeRange>(scheme.scheme),
+             points = std::holds_alternative<SchemePoints>(scheme.scheme);
+  if (expected.relation.starts_with('<') || expected.relation == ">" || expected.relation == "=" ||
+      (expected.relation.empty() && !expected.yes))
+    throw FileError(expected.place, "'" + property.name +
+                                        (range    ? "' over a range of a parameter takes "
+                                         : points ? "' over points takes "
+                                                  : "' over levels takes ") +
+                                        (expected.relation.empty() ? "true" : "\">= X\""));
+  const auto* list = std::get_if<SchemeList>(&scheme.scheme);
+  if (!list) return;
+  try {
+    subcert::require_property(list->list, asked_of(property, expected));
+  } catch (const Error& error) {
+    throw FileError(expected.place, error.what());
+  }
+}
 
 ExpectedScheme read_scheme(const toml::table& table) {
   for (const auto& [key, node] : table)
@@ -294,14 +327,7 @@ ExpectedScheme read_scheme(const toml::table& table) {
       throw FileError(place, fmt::format("'{0}' is no property of masks that change from {1} to {1}", property->name,
                                          points ? "point" : "level"));
     result.expectations.push_back(read_expectation(*property, node, place));
-    if (const Expectation& expected = result.expectations.back();
-        !single && (expected.relation.starts_with('<') || expected.relation == ">" || expected.relation == "=" ||
-                    (expected.relation.empty() && !expected.yes)))
-      throw FileError(place, "'" + property->name +
-                                 (range    ? "' over a range of a parameter takes "
-                                  : points ? "' over points takes "
-                                           : "' over levels takes ") +
-                                 (expected.relation.empty() ? "true" : "\">= X\""));
+    if (!single) require_for_all(result, *property, result.expectations.back());
   }
   if (result.expectations.empty())
     throw FileError(place_of(mask ? *mask : *table.get("masks")), "the scheme has no expected property");

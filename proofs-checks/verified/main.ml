@@ -738,6 +738,7 @@ let levels masks arity order m sequences lower file =
         require (number = None) "an exact number is that of one mask or family";
         let order = size (List.hd (take r "sum-rules" 1 1)) 1 500 in
         check_lower_end lower order;
+        if at r "stability" then line r "stability";
         let family = levels_differences m sequences order and l = bound_of lower in
         let bound = most_radius m.masks_arity order l in
         let low = { order; bound = bound_of bound; of_radius = read_proof ~single:false family None (Some bound) r } in
@@ -1103,6 +1104,8 @@ let check arguments =
       let masks = get "--masks" and arity = get "--arity" and order = get "--order" in
       let m = read_masks masks arity in
       match read_order_of_masks order m with
+       | Sequences _ when has "--upper" && has "--lower" && rough = None && only [ "--masks"; "--arity"; "--order"; "--upper" ] ->
+           raise (Sections.Undecided undecided)
       | Sequences sequences ->
           require (has "--lower" && only [ "--masks"; "--arity"; "--order" ]) usage;
           levels masks arity order m sequences (Option.get (bound "--lower")) (get "FILE")

@@ -37,12 +37,7 @@ void require_finite(const std::vector<double>& numbers, const char* what) {
 AnyScheme scheme_of(const std::vector<std::string>& specifications) {
   require(!specifications.empty(), "refine: need a scheme, got none");
   if (specifications.size() == 1) return data::make_data_scheme(specifications.front());
-  LevelDependentScheme result;
-  for (const std::string& one : specifications) {
-    result.specification += (result.specification.empty() ? "" : ", ") + one;
-    result.masks.again.push_back(make_linear_scheme(one).mask);
-  }
-  return result;
+  return levels_in_turn({}, specifications);
 }
 
 /// Points in the order of numpy's rows: the last index of the points runs along the first axis of the scheme.

@@ -157,23 +157,6 @@ py::tuple values_of(const ParametricScheme& scheme, const std::string& recurrenc
   return py::make_tuple(found.arity, found.first_index, values);
 }
 
-py::tuple values_in_turn(const std::vector<std::string>& first, const std::vector<std::string>& again, int level,
-                         const py::object& progress) {
-  require(!again.empty(), "limit: need a scheme, got none");
-  LevelMasks masks;
-  std::vector<LatticeMask> period;
-  for (const std::string& one : first) masks.first.push_back(make_scheme(one).mask);
-  for (const std::string& one : again) {
-    masks.again.push_back(make_scheme(one).mask);
-    period.push_back(masks.again.back());
-  }
-  const LimitValues found = interruptible(progress, [&] {
-    require_derivative("the schemes in turn", levels_as_one(period).curve(), {0});
-    return limit_values(masks, level);
-  });
-  return py::make_tuple(found.arity, found.first_index, found.values);
-}
-
 /// A value for each new point.
 struct LocalEvidence {
   ParametricScheme scheme;
@@ -298,7 +281,6 @@ void add_families(py::module_& module) {
   module.def("local_levels", &local_of);
   module.def("masks_of_levels", &masks_at);
   module.def("limit_values_of_levels", &values_of);
-  module.def("limit_values_in_turn", &values_in_turn);
   py::class_<CurveEvidence, std::shared_ptr<CurveEvidence>>(module, "CurveEvidence")
       .def_property_readonly("facts", &curve_dict)
       .def("certificates", [](const CurveEvidence& evidence) {

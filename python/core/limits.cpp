@@ -1,6 +1,7 @@
 #include "arrays.hpp"
 #include "work.hpp"
 
+#include <subcert/analysis/family/limit_values_of_levels.hpp>
 #include <subcert/analysis/limit/field_values.hpp>
 #include <subcert/analysis/limit/limit_range.hpp>
 #include <subcert/analysis/regularity/derivatives.hpp>
@@ -40,14 +41,19 @@ std::pair<std::vector<std::vector<Rational>>, std::vector<Rational>> surface_val
   return result;
 }
 
-/// The same of all functions of a vector, by the indices of the points.
-FieldValues vector_values_of(const Scheme& scheme, int level, double seconds) {
-  require(level >= 0, "limit: need level >= 0, got {}", level);
-  const FunctionVector vector =
+/// The values at lattice points of all functions of a vector, which are proved to be continuous.
+LatticeSequence at_lattice_points(const Scheme& scheme, double seconds) {
+  FunctionVector vector =
       *vector_regularity(scheme.mask, scheme.quadratic, {Deadline::in(seconds)}, {.integral = scheme.integral}).vector;
   require_convergence(scheme.specification, vector.continuous);
   require(vector.solutions == 1, "{}: need {}", scheme.specification, facts::needed_solution(vector));
-  return limit_values(scheme.mask, scheme.quadratic, *vector.values, level);
+  return *std::move(vector.values);
+}
+
+/// The same of all functions of a vector, by the indices of the points.
+FieldValues vector_values_of(const Scheme& scheme, int level, double seconds) {
+  require(level >= 0, "limit: need level >= 0, got {}", level);
+  return limit_values(scheme.mask, scheme.quadratic, at_lattice_points(scheme, seconds), level);
 }
 
 /// Points, and the values there: with `exact` rational numbers or texts, else rounded.
@@ -69,6 +75,34 @@ py::tuple vector_values_of(const Scheme& scheme, int level, double budget, bool 
     values.append(row);
   }
   return py::make_tuple(points, values);
+}
+
+/// Of schemes that take turns: the arity, the indices of the points, and numbers or lists of them.
+py::tuple values_in_turn(const std::vector<std::string>& first, const std::vector<std::string>& again, int level,
+                         double budget, const py::object& progress) {
+  const LevelDependentScheme levels = levels_in_turn(first, again);
+  const LatticeMask& mask = levels.masks.at(0);
+  require(mask.dimension() == 1, "limit: need schemes of one variable, got {}", mask.dimension());
+  const Scheme period = period_of(levels);
+  std::vector<long> indices;
+  if (!levels.form) {
+    LimitValues found = interruptible(progress, [&] {
+      require_derivative(levels.specification, period.mask, {0});
+      return limit_values(levels.masks, level);
+    });
+    for (std::size_t i = 0; i < found.values.size(); ++i) indices.push_back(found.first_index + static_cast<long>(i));
+    return py::make_tuple(found.arity, indices, found.values);
+  }
+  std::vector<std::vector<Rational>> rows;
+  const FieldValues values = interruptible(progress, [&] {
+    return by_points(limit_values(levels.masks, at_lattice_points(period, budget), level), mask.components(), 0);
+  });
+  for (const auto& [index, numbers] : values) {
+    indices.push_back(index[0]);
+    std::vector<Rational>& row = rows.emplace_back();
+    for (const QuadraticNumber& number : numbers) row.push_back(number.rational);
+  }
+  return py::make_tuple(mask.arity(), indices, rows);
 }
 
 }  // namespace
@@ -94,6 +128,7 @@ void add_limits(py::module_& module) {
              [](const Scheme& scheme, int level, double budget, bool exact, const py::object& progress) {
                return vector_values_of(scheme, level, budget, exact, progress);
              });
+  module.def("limit_values_in_turn", &values_in_turn);
   module.def("limit_range", [](const Scheme& scheme, const Rational& width, double budget, const py::object& progress) {
     const LimitRange range = interruptible(progress, [&] {
       require_limits(scheme);

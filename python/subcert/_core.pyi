@@ -167,8 +167,8 @@ def limit_values_of_levels(
     scheme: ParametricScheme, recurrence: str, start: Fraction, level: int, progress: _Progress
 ) -> tuple[int, int, list[_Ends]]: ...
 def limit_values_in_turn(
-    first: Sequence[str], again: Sequence[str], level: int, progress: _Progress
-) -> tuple[int, int, list[Fraction]]: ...
+    first: Sequence[str], again: Sequence[str], level: int, budget: float, progress: _Progress
+) -> tuple[int, list[int], list[Any]]: ...
 def refine(
     specifications: Sequence[str],
     values: _Array,

@@ -637,19 +637,25 @@ def limit_in_turn(
     level: int = 8,
     *,
     first: Iterable[Union[str, Named]] = (),
+    budget: float = 60,
     progress: Progress = None,
-) -> tuple[list[Fraction], list[Fraction]]:
+) -> tuple[list[Fraction], list[Any]]:
     """x and y: the exact limit, from the unit datum, of masks that change from level to level, at the points i /
-    arity^level: those of `first`, one for each level, and then these schemes in turn.
+    arity^level: those of `first`, one for each level, and then these schemes in turn. Of vector and Hermite schemes
+    y has the values of all functions, where they are not all 0, as VectorScheme.limit has them of one.
 
     >>> import subcert
     >>> x, y = subcert.limit_in_turn(["dd:n=2", "bspline:degree=3"], 0)
     >>> y[x.index(0)]
     Fraction(82, 93)
+    >>> x, y = subcert.limit_in_turn(["merrien:lambda=-1/8,mu=3/2", "merrien:lambda=-1/8,mu=-1/2"], 1)
+    >>> y[x.index(0.5)]
+    (Fraction(1, 2), Fraction(1, 8))
     """
     texts = [str(one) for one in schemes]
-    arity, start, values = _core.limit_values_in_turn([str(one) for one in first], texts, level, progress)
-    return [Fraction(start + i, arity**level) for i in range(len(values))], values
+    arity, indices, values = _core.limit_values_in_turn([str(one) for one in first], texts, level, budget, progress)
+    y = [tuple(one) if isinstance(one, list) else one for one in values]
+    return [Fraction(index, arity**level) for index in indices], y
 
 
 def mask(

@@ -36,6 +36,24 @@ def test_values_and_slopes_are_refined():
         subcert.refine("hermite-dd:points=2,order=2", x)
 
 
+def test_levels_of_hermite_schemes():
+    two = ["hermite-dd:points=4,order=2", "hermite-dd:points=2,order=2"]
+    x = numpy.arange(6.0)
+    refined = subcert.refine(two, numpy.stack([x**3, 3 * x**2], axis=1), 3)
+    at = numpy.arange(41.0) / 8
+    assert numpy.allclose(refined, numpy.stack([at**3, 3 * at**2], axis=1), rtol=1e-12)
+    points, values = subcert.limit_in_turn(two, 2)
+    assert values[points.index(0)] == (1, 0) and all(isinstance(one, tuple) for one in values)
+    alone, own = subcert.scheme(two[1]).limit(2, exact=True)
+    assert subcert.limit_in_turn(two[1:], 2) == ([point for (point,) in alone], own)
+    apart = ["merrien:lambda=-1/8,mu=2", "merrien:lambda=-1/8,mu=5"]
+    for wrong in (["dd:n=2", *two], ["ghm", *two], [], ["loop"], apart):
+        with pytest.raises((subcert.DomainError, subcert.UndecidedError)):
+            subcert.limit_in_turn(wrong, 1)
+    with pytest.raises(subcert.DomainError):
+        subcert.refine(["ghm", two[0]], numpy.ones((6, 2)), 1)
+
+
 def test_surfaces_run_along_the_axes_of_the_array():
     heights = numbers.normal(size=(9, 13))
     tensor = subcert.scheme("tensor:(dd:n=2)x(bspline:degree=3)")

@@ -135,6 +135,17 @@ TEST_CASE("masks that change from level to level", "[long]") {
   CHECK(tables[1].rows[2][4] == "3.0000000000");
   CHECK(tables[2].rows[1][3] == "2.5000000000");
   CHECK(tables[2].rows[2][3].starts_with("0.99733985"));
+  // Lists of matrices: Merrien's in any order and mu = 3/2 not twice in a row, Hermite splines, multiwavelets.
+  const auto& lists = tables[2].rows;
+  REQUIRE(lists.size() == 7);
+  CHECK(lists[3][3].starts_with("0.67807"));
+  CHECK(lists[3].back().empty());
+  CHECK(lists[4][3].starts_with("1.8390359"));
+  CHECK(lists[4][4] == "3 - log_2(5)/2");
+  CHECK(lists[4].back() == "HC^1");
+  CHECK(lists[5][3] == "2.0000000000");
+  CHECK(lists[6][3].starts_with("0.6673"));
+  CHECK(std::ranges::all_of(lists, [](const auto& row) { return row[6] == "yes"; }));
   CHECK(tables[3].rows[0][4].starts_with("1.00580"));
   CHECK(tables[3].rows[2][4].starts_with("0.99216"));
 }

@@ -9,16 +9,23 @@
 namespace subcert::data {
 namespace {
 
-/// Of a scheme of vectors, else nothing.
-const Scheme* vectors_of(const AnyScheme& scheme) {
-  const auto* linear = std::get_if<Scheme>(&scheme);
-  return linear && linear->mask.components() > 1 ? linear : nullptr;
-}
+/// How a scheme of vectors reads the numbers of a point.
+struct Columns {
+  const std::string& specification;
+  std::size_t size;  ///< of a vector
+  bool hermite;
 
-/// Whether points of so many coordinates begin with their position.
-bool has_positions(const Scheme& scheme, std::size_t dimension) {
-  const std::size_t size = scheme.mask.components();
-  return scheme.form == VectorForm::hermite && dimension > size && dimension % size == 1;
+  /// Whether points of so many coordinates begin with their position.
+  bool have_positions(std::size_t dimension) const { return hermite && dimension > size && dimension % size == 1; }
+};
+
+/// Of a scheme of vectors, else nothing.
+std::optional<Columns> columns_of(const AnyScheme& scheme) {
+  if (const auto* linear = std::get_if<Scheme>(&scheme); linear && linear->mask.components() > 1)
+    return Columns{linear->specification, linear->mask.components(), linear->form == VectorForm::hermite};
+  if (const auto* levels = std::get_if<LevelDependentScheme>(&scheme); levels && levels->form)
+    return Columns{levels->specification, levels->masks.at(0).components(), levels->form == VectorForm::hermite};
+  return std::nullopt;
 }
 
 /// The coordinates from `first` to before `last`.
@@ -43,14 +50,18 @@ GridData<double> with_positions(const GridData<double>& data, const UniformGrid&
   return result;
 }
 
-GridData<double> refined_columns(const GridData<double>& data, const Scheme& scheme, const RefineOptions& options) {
+GridData<double> refined_columns(const GridData<double>& data, const AnyScheme& scheme, const Columns& columns,
+                                 const RefineOptions& options) {
   require_columns(scheme, data, [](std::optional<std::size_t> i) {
     return i ? "refine, point " + std::to_string(*i + 1) : std::string("refine");
   });
   const auto refined = [&](const GridData<double>& numbers, const Rational& spacing) {
-    return refine_vectors(numbers, scheme.mask, *scheme.form, options, spacing, scheme.quadratic);
+    if (const auto* levels = std::get_if<LevelDependentScheme>(&scheme))
+      return refine_vectors(numbers, levels->masks, *levels->form, options, spacing);
+    const auto& one = std::get<Scheme>(scheme);
+    return refine_vectors(numbers, one.mask, *one.form, options, spacing, one.quadratic);
   };
-  if (!has_positions(scheme, data.dimension)) return refined(data, 1);
+  if (!columns.have_positions(data.dimension)) return refined(data, 1);
   const UniformGrid grid = uniform_grid(part(data, 0, 1).values);
   return with_positions(refined(part(data, 1, data.dimension), grid.spacing), grid);
 }
@@ -63,7 +74,7 @@ AnyScheme make_data_scheme(std::string_view specification) {
 }
 
 GridData<double> refine(const GridData<double>& data, const AnyScheme& scheme, const RefineOptions& options) {
-  if (const Scheme* vectors = vectors_of(scheme)) return refined_columns(data, *vectors, options);
+  if (const auto columns = columns_of(scheme)) return refined_columns(data, scheme, *columns, options);
   if (continues_data(options.boundary))
     return SlabRefinement(data, *refinement_steps(data.axes, data.dimension, scheme, options)).whole();
   if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme)) return refine(data, l1->rules, options);
@@ -75,24 +86,23 @@ std::optional<SliceSteps> refinement_steps(const std::vector<Axis>& axes, std::s
                                            const AnyScheme& scheme, const RefineOptions& options) {
   if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme))
     return refinement_steps(axes, dimension, l1->rules, options);
+  if (columns_of(scheme)) return std::nullopt;
   if (const auto* levels = std::get_if<LevelDependentScheme>(&scheme))
     return refinement_steps(axes, dimension, levels->masks, options);
-  if (vectors_of(scheme)) return std::nullopt;
   return refinement_steps(axes, dimension, std::get<Scheme>(scheme).mask, options);
 }
 
 void require_columns(const AnyScheme& scheme, const GridData<double>& data,
                      const std::function<std::string(std::optional<std::size_t>)>& place) {
-  const Scheme* const vectors = vectors_of(scheme);
-  if (!vectors) return;
-  const std::size_t size = vectors->mask.components(), columns = data.dimension;
-  const bool hermite = vectors->form == VectorForm::hermite;
-  if (!has_positions(*vectors, columns)) {
-    if (columns % size != 0)
-      fail(ErrorKind::data, "{}: expected a multiple of {} columns for {}, {}; found {}", place({}), size,
-           vectors->specification,
-           hermite ? "values, then their first derivatives and so on, or one column of positions before them"
-                   : "the first numbers of all vectors, then the second and so on",
+  const auto read = columns_of(scheme);
+  if (!read) return;
+  const std::size_t columns = data.dimension;
+  if (!read->have_positions(columns)) {
+    if (columns % read->size != 0)
+      fail(ErrorKind::data, "{}: expected a multiple of {} columns for {}, {}; found {}", place({}), read->size,
+           read->specification,
+           read->hermite ? "values, then their first derivatives and so on, or one column of positions before them"
+                         : "the first numbers of all vectors, then the second and so on",
            columns);
     return;
   }
@@ -109,24 +119,24 @@ void require_columns(const AnyScheme& scheme, const GridData<double>& data,
 }
 
 GridData<double> without_derivatives(const AnyScheme& scheme, const GridData<double>& data) {
-  const Scheme* const vectors = vectors_of(scheme);
-  if (!vectors) return data;
-  const std::size_t first = has_positions(*vectors, data.dimension) ? 1 : 0;
-  return part(data, 0, first + (data.dimension - first) / vectors->mask.components());
+  const auto columns = columns_of(scheme);
+  if (!columns) return data;
+  const std::size_t first = columns->have_positions(data.dimension) ? 1 : 0;
+  return part(data, 0, first + (data.dimension - first) / columns->size);
 }
 
 std::vector<std::size_t> fewest_points(const AnyScheme& scheme, Boundary boundary) {
   if (const auto* l1 = std::get_if<DataDependentScheme>(&scheme))
     return continues_data(boundary) ? std::vector<std::size_t>(l1->rules.points.size(), 1)
                                     : std::vector<std::size_t>(l1->rules.points.begin(), l1->rules.points.end());
-  if (const Scheme* vectors = vectors_of(scheme)) {
-    const std::size_t window = AxisRefiner(axis_rule(vectors->mask, *vectors->form, vectors->quadratic), boundary)
-                                   .window();
-    return {boundary == Boundary::periodic ? 1 : window};
+  const auto* levels = std::get_if<LevelDependentScheme>(&scheme);
+  const LatticeMask& mask = levels ? levels->masks.at(0) : std::get<Scheme>(scheme).mask;
+  if (columns_of(scheme)) {
+    const auto* one = std::get_if<Scheme>(&scheme);
+    const AxisRule rule = levels ? axis_rule(mask, *levels->form) : axis_rule(mask, *one->form, one->quadratic);
+    return {boundary == Boundary::periodic ? 1 : AxisRefiner(rule, boundary).window()};
   }
-  if (const auto* levels = std::get_if<LevelDependentScheme>(&scheme))
-    return fewest_points(levels->masks.at(0), boundary);
-  const LatticeMask& mask = std::get<Scheme>(scheme).mask;
+  if (levels) return fewest_points(mask, boundary);
   require(mask.has_factors() || mask.dilation().factor().value_or(0) > 0,
           "refine: need a scheme that makes a grid finer along its axes, not one with the dilation {}",
           mask.dilation().to_text());

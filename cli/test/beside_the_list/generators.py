@@ -523,6 +523,11 @@ def list_case(rng, low, high):
     elif order == "follows":
         text += f"follows = {[[i, j] for i in numbers for j in numbers if i != j or i == 0]}\n"
         alone = [0]
+    if order == "period" and rng.random() < 0.4:
+        limit = ["limit", "lists:list.toml", "--level", str(rng.randint(0, 4))]
+        hermite = schemes[0].startswith(("merrien", "hermite-dd"))
+        return Case("limit", limit, budget(rng, low, high), {"list.toml": text},
+                    facts={"hermite": hermite})
     case = Case("levels", ["levels", "lists:list.toml"], budget(rng, low, high), {"list.toml": text})
     case.facts = {"alone": [schemes[k] for k in alone], "one": len({schemes[k] for k in alone}) == 1 and
                   (order == "period" or len(set(schemes)) == 1)}

@@ -244,15 +244,20 @@ def masks_alone(case, run):
 
 
 def values(case, run):
-    """The shifts of the basic limit function sum to 1."""
+    """The shifts of the basic limit function sum to 1, and so do those from the values of a Hermite scheme."""
     answer = run.answer or {}
-    if "values" not in answer or not isinstance(answer.get("first_index"), int):
+    if "values" in answer and isinstance(answer.get("first_index"), int):
+        arity, pairs = answer["arity"], list(enumerate(answer["values"]))
+    elif "values" in answer and case.facts.get("hermite"):
+        [[arity]], pairs = answer["dilation"], [(i, v[0]) for (i,), v in zip(answer["indices"], answer["values"])]
+    else:
         return
-    step = answer["arity"] ** answer["level"]
-    numbers = [Fraction(v) for v in answer["values"]]
-    for k in range(min(step, len(numbers))):
-        if sum(numbers[k::step]) != 1:
-            yield "wrong", f"values at {k} + {step} i sum to {sum(numbers[k::step])}"
+    step, sums = arity ** answer["level"], {}
+    for i, value in pairs:
+        sums[i % step] = sums.get(i % step, 0) + Fraction(value)
+    for k in range(step):
+        if sums.get(k, 1 if len(sums) < step and "first_index" in answer else 0) != 1:
+            yield "wrong", f"values at {k} + {step} i sum to {sums.get(k, 0)}"
             return
 
 

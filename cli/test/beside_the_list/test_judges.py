@@ -161,6 +161,12 @@ class Judges(unittest.TestCase):
         answer = {"arity": 2, "level": 1, "first_index": -2, "values": ["0", "1/2", "1", "1/2", "0"]}
         self.assertEqual(kinds(judges.values, case, answer), [])
         self.assertEqual(kinds(judges.values, case, {**answer, "values": ["0", "1/2", "1", "1/3", "0"]}), ["wrong"])
+        hermite = Case("limit", [], 1.0, facts={"hermite": True})
+        answer = {"dilation": [[2]], "level": 1, "indices": [[-1], [0], [1]],
+                  "values": [["1/2", "-1/8"], ["1", "0"], ["1/2", "1/8"]]}
+        self.assertEqual(kinds(judges.values, hermite, answer), [])
+        wrong = {**answer, "values": [["1/2", "-1/8"], ["2", "0"], ["1/2", "1/8"]]}
+        self.assertEqual(kinds(judges.values, hermite, wrong), ["wrong"])
 
 
 if __name__ == "__main__":

@@ -58,6 +58,12 @@ POLE = "[-1/10*w+w^2,-1/10+11/10*w-w^2,-1/10+11/10*w-w^2,-1/10*w+w^2]/(-1/10+w)"
 FOUR_POLYTOPE = "product 0 4 0 0; block 0 polytope 1 0 0 symmetric; vertex 0 1; unit 0 0f:1; image 0 0 0:4; image 0 1 0:-1 0f:-1"
 WAY_IN, CONIC_IN = "level 1/10 3/5; level 3/20 2/5", "level 0 1000; level 7/10 24"
 BETWEEN = "--lower 7/10 --upper 3/4"
+# The same for the four-point scheme and cubic splines, without flips: e_1 and e_0
+LIST_POLYTOPE = ("block 0 polytope 2 0 0; vertex 0 1; vertex 1 0; unit 0 1:1; unit 1 0:1; image 0 0 0:4; image 0 1 0:-1 1:-1; image 0 2; image 0 3 1:2; "
+                 "image 1 0 0:-1 1:-1; image 1 1 1:4; image 1 2 1:2; image 1 3")
+LEAST = f"sum-rules 4; stability; product 0 4 0 0; {LIST_POLYTOPE}"
+LEAST_IN_TURN = "sum-rules 4; stability; product 0 8 0 0 3; block 0 norm 4"
+NOT_STABLE = "[1,1,0,1,1]/2"  # (1 + z)(1 + z^3)
 MATRICES, CHANGED = [], []
 MOVING = "[1-w,2-w,1+w,w]/2"  # linear data are moved by w
 WIDE = {points: f"[w,w{',0' * (points - 3)},1-w,1-w]" for points in (9, 10, 11, 72)}  # as many points depend on w for each t
@@ -129,6 +135,12 @@ ACCEPTED = [
     listed("list-first-alone", FOUR_SPLINE, "follows=0-0", "--lower 19/10", "sum-rules 4; block 0 norm 4"),
     listed("list-arity-3", THREE, "any", "--lower 1", "sum-rules 2; block 0 norm 1", 3),
     listed("list-arity-3-follows", THREE, "follows=1-0,0-1", "--lower 1", "sum-rules 2; block 0 norm 2", 3),
+    listed("list-least", FOUR_SPLINE, "any", "--lower 2 --upper 2", LEAST),
+    listed("list-least-twice", FOUR_SPLINE, "any", "--lower 2 --upper 2", LEAST.replace("product 0 4 0 0", "product 0 16 0 0 0")),
+    listed("list-least-six", FOUR_SPLINE, "any", "--lower 2 --upper 2", LEAST.replace("product 0 4 0 0", "product 0 4096 0 0 0 0 0 0 0")),
+    listed("list-least-in-turn", FOUR_SPLINE, "follows=0-1,1-0", "--lower 2 --upper 2501/1000", LEAST_IN_TURN),
+    listed("list-stable", FOUR_SPLINE, "follows=0-1,1-0", "--lower 2", LEAST_IN_TURN),
+    listed("list-product", FOUR_SPLINE, "any", "--lower 2", LEAST.replace("stability; ", "")),
     listed("list-4096-pairs", "[1,3,3,1]/4", "follows=" + ",".join(4096 * ["0-0"]), "--lower 2", "sum-rules 2; block 0 norm 1"),
     chosen("points-product", "[1,3,3,1]/4", "w=1/32..3/32", "2", "sum-rules 2; product 0 1 0 0; block 0 norm 1"),
     chosen("points-four", FOUR, FOURS, "1", "sum-rules 2; block 0 norm 1"),
@@ -264,10 +276,22 @@ EDITED = [
     ("list-other-order", "list-in-turn", lists(FOUR_SPLINE, "any", "--lower 2"), "expected 'lists ", []),
     ("list-backwards", "list-spline-last", lists(FOUR_SPLINE, "follows=1-0,0-0", "--lower 29/10"), "does not prove the claim",
      [("follows=0-1,1-1", "follows=1-0,0-0")]),
+    ("list-least-low", "list-least", lists(FOUR_SPLINE, "any", "--lower 2 --upper 199/100"), "spectral radius does not prove the claim", []),
+    ("list-no-stability", "list-least", None, "expected 'stability", [("stability; ", "")]),
+    ("list-no-product", "list-least", None, "expected 'product", [("product 0 4 0 0; ", "")]),
+    ("list-stable-no-product", "list-stable", None, "expected 'product", [("product 0 8 0 0 3; ", "")]),
+    ("list-not-stable", "list-least", lists(NOT_STABLE, "any", "--lower 1/2 --upper 1"), "stability",
+     [(FOUR_SPLINE, NOT_STABLE), ("sum-rules 4", "sum-rules 2"), ("product 0 4", "product 0 2"), (LIST_POLYTOPE, "block 0 norm 2")]),
+    ("list-not-stable-lower", "list-least", lists(NOT_STABLE, "any", "--lower 1/2"), "stability",
+     [(FOUR_SPLINE, NOT_STABLE), ("sum-rules 4", "sum-rules 2"), ("product 0 4", "product 0 2"), (LIST_POLYTOPE, "block 0 norm 2")]),
+    ("list-least-seven", "list-least-six", None, "a longer period", [("product 0 4096 0 0 0 0 0 0 0", "product 0 2 0 0 0 0 0 0 0 2")]),
+    ("list-least-smooth", "list-one", lists("[1,3,3,1]/4", "any", "--lower 2 --upper 2"), "no exponent below the number of sum rules",
+     [("sum-rules 2", "sum-rules 2; stability; product 0 1 0 0")]),
+    ("list-no-way", "list-least-in-turn", None, "proves no positive spectral radius", [("product 0 8 0 0 3", "product 0 8 0 0 0")]),
     ("list-in-turn-high", "list-in-turn", lists(FOUR_SPLINE, "follows=0-1,1-0", "--lower 51/20"), "does not prove the claim", []),
     ("list-exact", "list-any", None, "an exact number is that of one mask or family",
      [("bounds - -", "bounds - -; exact 2-log|[-2,1]@2,0,1/10|^1/1; root 2 0 0 2 2")]),
-    ("list-stability", "list-any", None, "expected 'block 0'", [("block 0", "stability; block 0")]),
+    ("list-stability", "list-any", None, "expected 'product", [("block 0", "stability; block 0")]),
     ("list-single", "list-any", None, "polytope", [("block 0 norm 1", "block 0 single 2 8")]),
     ("list-no-constants", "list-any", lists(NO_CONSTANTS, "any", "--lower 1"), "does not keep constant data", [(HAT_CHAIKIN, NO_CONSTANTS)]),
     ("period-no-constants", "period-twice", lists(NO_CONSTANTS, "period=0,1", "--lower 1/2"), "does not keep constant data",

@@ -74,7 +74,7 @@ USAGE = [
         f"{'[[[1]]];' * 64}[[[1]]] --arity 2 --order any --lower 1", "[[[[1]]]] --arity 2 --order any --lower 1")),
     *((64, f"--masks {more} golden.cert") for more in (
         "[1,2,1]/2 --arity 2 --lower 1", "[1,2,1]/2 --order any --lower 1", "[1,2,1]/2 --arity 2 --order any",
-        "[1,2,1]/2 --arity 2 --order any --lower 1 --upper 1", "[1,2,1]/2 --arity 2 --order any --upper C1",
+        "[1,2,1]/2 --arity 2 --order any --lower 1 --upper C1", "[1,2,1]/2 --arity 2 --order any --upper C1", "[1,2,1]/2 --arity 2 --order any --upper 1",
         "[1,2,1]/2 --arity 2 --order any --lower 1 --exact 2-log|[-2,1]@2,0,1|^1/1", "[1,2,1]/2 --arity 2 --order any --lower 1 --mask [1,2,1]/2",
         "[1,2,1]/2 --arity 2 --order all --lower 1", "[1,2,1]/2 --arity 2 --order period= --lower 1", "[1,2,1]/2 --arity 2 --order period=1 --lower 1",
         "[1,2,1]/2 --arity 2 --order period=0,0,0,0,0,0,0 --lower 1", "[1,2,3,2,1]/3 --arity 3 --order period=0,0,0,0 --lower 1",
@@ -265,6 +265,7 @@ def printed(arguments):
     subject = f"{subject} and integral {integral}" if integral else subject
     subject = f"{subject}, and C^1 limits of almost all data around {vertex}" if vertex else subject
     subject = f"component {component} of {subject}" if component else subject
+    what = "least " + what if "--masks" in values and upper and not order.startswith("period") else what
     relation = "<" if range_ and not limit else "<="
     rough = upper and upper.startswith("C")
     if rough:

@@ -121,7 +121,14 @@ TEST_CASE("properties of levels: what is refused") {
            {"masks = ['dd:n=2', 'ary:a=3,points=4,d=1']\nconvergent = true", "expected masks of one arity"},
            {masks_of_two, "the scheme has no expected property"},
            {masks_of_two + "interpolatory = true", "is no property of masks that change"},
-           {"mask = 'merrien:lambda=-1/8,mu'\nlevels = '0 <= mu <= 1'\nconvergent = true", "masks of numbers"}}) {
+           {slider + "levels = '0 <= w <= 1'\nHC = '>= 1'", "'HC' is a property of Hermite schemes, got others"},
+           {slider + "points = '0 <= w <= 1'\nHC = '>= 1'", "'HC' is a property of Hermite schemes, got others"},
+           {slider + "for = '0 <= w <= 1'\nHC = '>= 1'", "'HC' is a property of Hermite schemes, got others"},
+           {masks_of_two + "HC = '>= 1'", "'HC' is a property of Hermite schemes, got others"},
+           {"masks = ['ghm']\nHC = '>= 1'", "'HC' is a property of Hermite schemes, got others"},
+           {"masks = ['hermite-dd:points=2,order=3']\nHC = '>= 1'", "need HC2 or more, as there are 2 derivatives"},
+           {"masks = ['hermite-dd:points=2,order=2']\nHC = '= 1'", "'HC' takes \">= K\""},
+           {"mask = 'merrien:lambda=-1/8,mu'\nlevels = '0 <= mu <= 1'\nHC = true", "'HC' takes \">= K\""}}) {
     CAPTURE(text);
     CHECK(error_of(text).find(message) != std::string::npos);
   }
@@ -137,12 +144,26 @@ TEST_CASE("lists of masks: matrices") {
   CHECK(holds_of("smoothness = '>= 1'") == Truth::no);
   CHECK(holds_of("follows = [[0, 1], [1, 0]]\nsmoothness = '>= 1'") == Truth::yes);
   CHECK(holds_of("period = [0, 1]\nholder = '>= 1.9'") == Truth::no);
-  CHECK_THROWS_WITH(read_expectations(masks + "HC = '>= 1'"), Catch::Contains("is no property of masks that change"));
+  CHECK(holds_of("follows = [[0, 1], [1, 0], [1, 1]]\nHC = '>= 1'") == Truth::yes);
+  CHECK(holds_of("follows = [[0, 1], [1, 0], [1, 1]]\nHC = '>= 2'") == Truth::no);
+  CHECK(holds_of("period = [1, 0]\nHC = '>= 1'") == Truth::yes);
+  CHECK(holds_of("HC = '>= 1'") == Truth::no);
   MaskListFile file = read_mask_list(masks);
   CHECK(file.list.hermite);
   CHECK_THROWS_WITH(add_mask(file, "ghm"), Catch::Contains("expected Hermite schemes alone or none"));
   CHECK_THROWS_WITH(add_mask(file, "dd:n=2"), Catch::Contains("expected matrices of one size"));
   CHECK_THROWS_WITH(add_mask(file, "refinable:[[[[1,0],[0,1]]]]"), Catch::Contains("expected masks of one variable"));
+}
+
+TEST_CASE("levels of masks of matrices: values of a letter") {
+  const std::string merrien = "mask = 'merrien:lambda=-1/8,mu'\n", some = "levels = '-3/4 <= mu <= 1/2'\n";
+  check_all(merrien + some, {"HC = '>= 1'", "convergent = true", "holder = '>= 7/5'",
+                             "recurrence = 'mu=mu/2'\nstart = 'mu0=1/2'\nHC = '>= 1'"});
+  check_all(merrien, {"for = '-3/4 <= mu <= 1/2'\nHC = '>= 1'"});
+  const Decision refuted = first_answer(merrien + "levels = '-3/4 <= mu <= 3/2'\nHC = '>= 1'");
+  CHECK(refuted.is_no());
+  CHECK(refuted.reason == "not for mu = 1.5 at all levels");
+  CHECK(first_answer(merrien + some + "HC = '>= 2'").truth != Truth::yes);
 }
 
 TEST_CASE("lists of masks: keys of a file of its own") {

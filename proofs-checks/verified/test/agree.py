@@ -25,8 +25,8 @@ proved_here = {"origin-end", "same-beside-cycle", "single-recurrence-complex-sig
                "kept-tiny-error",
                # what is 0 between the ends of an interval may be so at the ends of its halves
                "follow-inside",
-               # the line `stability` of a range says nothing here
-               "range-halved-61"}
+                # the line `stability` of a range, or of a list, says nothing here
+                "range-halved-61", "list-not-stable-lower", "list-stable-no-product", "list-stability"}
 # Its solutions are multiples of one by the ends of the supports of the components, which are not looked at here; its masks
 # keep polynomials at different places.
 proved_there = {"vector-ends", "vector-list-places"}
@@ -34,7 +34,7 @@ proved_there = {"vector-ends", "vector-list-places"}
 sharper = {"unit-short", "unit-long"}
 # Claims that are far from the truth: the same with a little more are true as well.
 loose = {"turns-graph-close", "single-hat-square", "single-transfer", "upper-10000", "inverse-296-bits", "denominators",
-         "list-wide", "list-in-turn", "list-spline-last", "list-first-alone", "list-arity-3-follows", "period",
+         "list-wide", "list-in-turn", "list-stable", "list-spline-last", "list-first-alone", "list-arity-3-follows", "period",
          "corner-levels-half", "square-range", "quotient-converges", "quotient-denominators-coprime", "quotient-no-constant",
          "range-halved-60", "levels-dual", "levels-conic"}
 
@@ -80,7 +80,7 @@ def decided(name, arguments):
         return options in ({"--mask", "--arity", "--for", "--lower"}, {"--mask", "--arity", "--levels", "--lower"},
                            {"--mask", "--arity", "--levels", "--lower"} | follows)
     if "--masks" in options and not arguments[arguments.index("--order") + 1].startswith("period"):
-        return True
+        return "--upper" not in options
     subject = {"--masks", "--order", "--arity"} if "--masks" in options else {"--mask", "--arity"}
     ends = options - subject
     known = {"--lower", "--upper", "--exact", "--logarithm"}

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <type_traits>
 
@@ -165,23 +166,43 @@ AxisRule axis_rule(const LatticeMask& mask, VectorForm form, const std::optional
   return rule;
 }
 
+namespace {
+
+void require_one_kind(const LevelMasks& masks) {
+  for (const auto* list : {&masks.first, &masks.again})
+    for (const LatticeMask& mask : *list)
+      require(mask.components() == masks.at(0).components() && mask.dilation() == masks.at(0).dilation(),
+              "refine: need matrices of one size and of one arity for levels that differ");
+}
+
 template <class Number>
-GridData<Number> refine_vectors(const GridData<Number>& data, const LatticeMask& mask, VectorForm form,
-                                const RefineOptions& options, const Rational& spacing,
-                                const std::optional<QuadraticMask>& meant) {
-  require(data.is_canonical() && data.axes.size() == 1 && data.dimension % mask.components() == 0,
-          "refine: need a curve of points with a multiple of {} numbers, got {}", mask.components(), data.dimension);
+GridData<Number> refine_levels(const GridData<Number>& data, const LevelMasks& masks, VectorForm form,
+                               const RefineOptions& options, const Rational& spacing,
+                               const std::optional<QuadraticMask>& meant) {
+  require_one_kind(masks);
+  const std::size_t size = masks.at(0).components();
+  const int arity = masks.at(0).arity();
+  require(data.is_canonical() && data.axes.size() == 1 && data.dimension % size == 0,
+          "refine: need a curve of points with a multiple of {} numbers, got {}", size, data.dimension);
   require(options.levels >= 0, "refine: need levels >= 0, got {}", options.levels);
   require(spacing > 0, "refine: need spacing > 0, got {}", to_text(spacing));
   require_refinement_boundary(options.boundary);
   require_boundary(form, data.axes[0], options.boundary);
-  AxisRefiner refiner(axis_rule(mask, form, meant), options.boundary);
-  require_refinable(data.values.size(), mask.arity(), options.levels);
+  std::map<std::size_t, AxisRefiner> refiners;  // by the number of the mask
+  const auto refiner_at = [&](std::size_t level) -> AxisRefiner& {
+    const std::size_t number = masks.number_at(level);
+    const auto found = refiners.find(number);
+    if (found != refiners.end()) return found->second;
+    return refiners.emplace(number, AxisRefiner(axis_rule(masks.mask(number), form, meant), options.boundary))
+        .first->second;
+  };
+  refiner_at(0);
+  require_refinable(data.values.size(), arity, options.levels);
   GridData<Number> result = data;
   Rational from = spacing;
   for (int level = 0; level < options.levels; ++level) {
-    AxisRefinement<Rational> rows = refiner.step(result.axes[0]);
-    const Rational to = from / mask.arity();
+    AxisRefinement<Rational> rows = refiner_at(static_cast<std::size_t>(level)).step(result.axes[0]);
+    const Rational to = from / arity;
     if (form == VectorForm::hermite) rescale(rows, from, to);
     from = to;
     result = apply_along(result, 0, converted<Number>(rows), options.threads);
@@ -192,11 +213,30 @@ GridData<Number> refine_vectors(const GridData<Number>& data, const LatticeMask&
   return result;
 }
 
+}  // namespace
+
+template <class Number>
+GridData<Number> refine_vectors(const GridData<Number>& data, const LatticeMask& mask, VectorForm form,
+                                const RefineOptions& options, const Rational& spacing,
+                                const std::optional<QuadraticMask>& meant) {
+  return refine_levels(data, {{}, {mask}}, form, options, spacing, meant);
+}
+
+template <class Number>
+GridData<Number> refine_vectors(const GridData<Number>& data, const LevelMasks& masks, VectorForm form,
+                                const RefineOptions& options, const Rational& spacing) {
+  return refine_levels(data, masks, form, options, spacing, std::nullopt);
+}
+
 template GridData<double> refine_vectors<double>(const GridData<double>&, const LatticeMask&, VectorForm,
                                                  const RefineOptions&, const Rational&,
                                                  const std::optional<QuadraticMask>&);
 template GridData<Rational> refine_vectors<Rational>(const GridData<Rational>&, const LatticeMask&, VectorForm,
                                                      const RefineOptions&, const Rational&,
                                                      const std::optional<QuadraticMask>&);
+template GridData<double> refine_vectors<double>(const GridData<double>&, const LevelMasks&, VectorForm,
+                                                 const RefineOptions&, const Rational&);
+template GridData<Rational> refine_vectors<Rational>(const GridData<Rational>&, const LevelMasks&, VectorForm,
+                                                     const RefineOptions&, const Rational&);
 
 }  // namespace subcert::data

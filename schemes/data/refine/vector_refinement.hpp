@@ -39,5 +39,10 @@ template <class Number>
 GridData<Number> refine_vectors(const GridData<Number>& data, const LatticeMask& mask, VectorForm form,
                                 const RefineOptions& options, const Rational& spacing = 1,
                                 const std::optional<QuadraticMask>& meant = std::nullopt);
+/// The same with a mask for each level. Domain: matrices of one size and of one arity; as many masks as levels, and
+/// one at least, where none come again.
+template <class Number>
+GridData<Number> refine_vectors(const GridData<Number>& data, const LevelMasks& masks, VectorForm form,
+                                const RefineOptions& options, const Rational& spacing = 1);
 
 }  // namespace subcert::data

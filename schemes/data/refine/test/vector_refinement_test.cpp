@@ -249,6 +249,56 @@ TEST_CASE("vectors are refined as the rule is defined") {
   }
 }
 
+TEST_CASE("a mask for each level refines vectors as its rule is defined, and polynomials that all keep exactly") {
+  Random random;
+  for ([[maybe_unused]] const auto round : rounds(10)) {
+    const VectorForm form = random.chance(50) ? VectorForm::hermite : VectorForm::vector;
+    const auto size = static_cast<std::size_t>(random.integer(2, 3));
+    const int arity = static_cast<int>(random.integer(2, 3));
+    LevelMasks masks;
+    for (long k = random.integer(0, 2); k > 0; --k) masks.first.push_back(random_mask(random, size, arity, form));
+    for (long k = random.integer(1, 2); k > 0; --k) masks.again.push_back(random_mask(random, size, arity, form));
+    const Boundary boundary = random.chance(50) ? Boundary::periodic : Boundary::shrink;
+    GridData<Rational> data{{}, size, {Axis::of(boundary == Boundary::periodic ? 5 : 25)}};
+    while (data.values.size() < data.axes[0].count * size) data.values.push_back(random.rational());
+    GridData<Rational> expected = data;
+    if (boundary == Boundary::periodic) expected.axes[0].close();
+    for (int level = 1; level <= 4; ++level) {
+      const GridData<Rational> refined = refine_vectors(data, masks, form, {level, boundary});
+      expected.values = step_by_definition(masks.at(static_cast<std::size_t>(level - 1)), form, expected,
+                                           refined.axes[0], level - 1);
+      expected.axes = refined.axes;
+      CHECK(refined.values == expected.values);
+    }
+  }
+  // Cubic and quintic Hermite interpolation in turn, in a spacing of its own, up to the ends.
+  const LevelDependentScheme both = levels_in_turn({"hermite-dd:points=4,order=2"}, {"hermite-dd:points=2,order=2"});
+  const Rational spacing(2, 3);
+  const Axis axis = Axis::of(6);
+  const std::vector<std::vector<Rational>> curve{random_coefficients(random, 3)};
+  const GridData<Rational> data{samples(curve, 2, axis, spacing), 2, {axis}},
+      refined = refine_vectors(data, both.masks, *both.form, {3, Boundary::regression}, spacing);
+  CHECK(refined.axes[0].count == 41);
+  CHECK(refined.values == samples(curve, 2, refined.axes[0], spacing));
+  CHECK_FAILS(refine_vectors(data, LevelMasks{{both.masks.at(0)}, {}}, VectorForm::hermite, {2}), domain);
+  CHECK_FAILS(refine_vectors(data, LevelMasks{}, VectorForm::hermite, {0}), domain);
+}
+
+TEST_CASE("levels in turn are of one kind") {
+  const std::string hermite = "hermite-dd:points=2,order=2";
+  CHECK_FAILS(levels_in_turn({}, {}), domain);
+  CHECK_FAILS(levels_in_turn({}, {hermite, "hermite-dd:points=2,order=3"}), domain);
+  CHECK_FAILS(levels_in_turn({}, {hermite, "ghm"}), domain);
+  CHECK_FAILS(levels_in_turn({"dd:n=2"}, {hermite}), domain);
+  CHECK_FAILS(levels_in_turn({}, {"dd:n=2", "bspline:degree=3,a=3"}), domain);
+  CHECK_FAILS(levels_in_turn({}, {"cl:2"}), domain);
+  CHECK_THROWS_AS(levels_in_turn({}, {"hermite-dd:"}), SpecificationError);
+  const LevelDependentScheme splines = levels_in_turn({}, {"ghm", "bspline:degree=3,multiplicity=2"});
+  CHECK(splines.form == VectorForm::vector);
+  CHECK(period_of(splines).mask.arity() == 4);
+  CHECK_FALSE(levels_in_turn({}, {"dd:n=2", "bspline:degree=3"}).form);
+}
+
 TEST_CASE("components without a link are refined as numbers are") {
   const LatticeMask both = make_refinable_scheme(
                                "vector:[[[-1,0],[0,0]],[[0,0],[0,2]],[[9,0],[0,8]],[[16,0],[0,12]],"

@@ -38,7 +38,7 @@ struct VertexOptions : SearchOptions {
   std::string width = "1e-6";
 };
 
-/// One for each valence where smoothness is proved by what certificates can say, and one for all that follow.
+/// One for each valence where smoothness is decided by what certificates can say, and one for all that follow.
 WrittenCertificates write_certificates_of(const VertexOptions& options, const std::vector<SectorRules>& rules,
                                           const std::vector<VertexSmoothness>& valences,
                                           const std::optional<SectorRuleFamily>& family,
@@ -55,7 +55,7 @@ WrittenCertificates write_certificates_of(const VertexOptions& options, const st
   if (rest && rest->evidence) add(rest->first, "vertices", true, *family, *rest);
   return write_certificates(
       options.certificate, certificates, {"-vertex", "-vertices"},
-      "what is not proved, or with a Jordan block in front, or of all valences not by hulls of differences", json);
+      "what is not decided, or with several eigenvalues or a Jordan block in front, or of all valences not by hulls of differences", json);
 }
 
 /// For which values of a letter.

@@ -45,13 +45,14 @@ def parsed(mask):
 def lines_of(name, rules, **more):
     mask, dilation, body = SURFACES[name]
     arity = int(dilation[1])
-    return ["subcert-certificate 3", f"surface {mask} {dilation} vertex={rules}", "bounds 11/10 -", *body.split("; "),
+    kind = "not-c1" if "refuted" in more else "vertex"
+    return ["subcert-certificate 3", f"surface {mask} {dilation} {kind}={rules}", "bounds 11/10 -", *body.split("; "),
             *vertex_writer.vertex_lines(parsed(mask), arity, rules, **more), "end"]
 
 
-def options_of(name, rules):
+def options_of(name, rules, kind="vertex"):
     mask, dilation, _ = SURFACES[name]
-    return f"--surface {mask} --dilation {dilation} --lower 11/10 --vertex {rules}"
+    return f"--surface {mask} --dilation {dilation} --lower 11/10 --{kind} {rules}"
 
 
 # the rule of the mask itself for a point next to the vertex

@@ -14,7 +14,10 @@ using Point = Turning<Ball>;
 class Parts {
  public:
   Parts(long frequency, const SectorRules& rules, const BallField& field)
-      : sign_(frequency == 0 ? 1 : 2 * frequency == rules.valence ? -1 : 0), zero_(0, field.bits()) {}
+      : sign_(frequency == 0                   ? 1
+              : 2 * frequency == rules.valence ? -1
+                                               : 0),
+        zero_(0, field.bits()) {}
 
   Point of(const Point& z) const {
     return sign_ > 0 ? Point{z.x + z.y, zero_} : sign_ < 0 ? Point{z.x - z.y, zero_} : z;

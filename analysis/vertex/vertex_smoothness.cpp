@@ -168,7 +168,8 @@ class VertexProof {
     if (const auto curve = map ? map->winds(most_levels) : std::nullopt) {
       result_.c1 = {Truth::no, what};
       if (!spectrum_->has_simple_leader() || curve->is_diagonal) return;
-      if (const auto place = map->winds_by_small_squares(*curve)) keep_evidence(*map, share.frequency, value, place, {});
+      if (const auto place = map->winds_by_small_squares(*curve))
+        keep_evidence(*map, share.frequency, value, place, {});
     } else {
       result_.c1.reason = what + ", and no closed curve without a zero of its map is found";
     }

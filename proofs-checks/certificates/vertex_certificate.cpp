@@ -107,11 +107,11 @@ Certificate vertex_certificate(const SectorRules& rules, const MultivariateRegul
   const std::string place = fmt::format(
       "{} {}", to_integer(Rational(evidence.lambda * power(Rational(2), value_bits)), Rounding::nearest).str(),
       to_integer(power(Rational(2), disc_bits), Rounding::nearest).str());
-  std::string text =
-      smoothness.c1.is_yes()
-          ? fmt::format("vertex {} {} {} {}\npoints", bits, value_bits,
-                        evidence.by_hulls ? std::min(smoothness.levels + 1, most_hulls) : most_fits, place)
-          : fmt::format("not-c1 {} {} {} {}\npoints", evidence.frequency, bits, value_bits, place);
+  std::string text = smoothness.c1.is_yes()
+                         ? fmt::format("vertex {} {} {} {}\npoints", bits, value_bits,
+                                       evidence.by_hulls ? std::min(smoothness.levels + 1, most_hulls) : most_fits,
+                                       place)
+                         : fmt::format("not-c1 {} {} {} {}\npoints", evidence.frequency, bits, value_bits, place);
   for (const LatticePoint& point : evidence.points) text += fmt::format(" {}", fmt::join(point, ","));
   text += fmt::format("\nvalues{}\ninverse {}\n", pairs_text(evidence.values, value_bits), row_bits);
   for (std::size_t i = 0; i < evidence.inverse.size(); ++i)

@@ -49,7 +49,7 @@ class Checker {
       read_l1();
     else
       read_proof();
-    if (claim_.vertex) 
+    if (claim_.vertex)
       check_vertex(*claim_.mask, *claim_.dilation, *claim_.vertex, claim_.not_c1, reader_, arithmetic_);
     reader_.take("end", 0, 0);
     require(reader_.at_end(), "text after 'end'");

@@ -71,11 +71,12 @@ using Options = std::map<std::string, std::optional<std::string>>;
 
 Options read_options(const std::vector<std::string>& arguments) {
   Options given;
-  for (const char* name : {"--mask",    "--arity",     "--for",      "--levels",    "--each-point", "--recurrence",
-                           "--start",   "--from",      "--limit",    "--masks",     "--order",      "--within",
-                           "--surface", "--refinable", "--integral", "--component", "--vertex",     "--not-c1",   "--dilation",
-                           "--vectors", "--hermite",   "--matrices", "--subradius", "--l1",         "--contraction",
-                           "--lower",   "--upper",     "--exact",    "--attains",   "--logarithm",  "FILE"})
+  for (const char* name :
+       {"--mask",     "--arity",     "--for",    "--levels",      "--each-point", "--recurrence", "--start",
+        "--from",     "--limit",     "--masks",  "--order",       "--within",     "--surface",    "--refinable",
+        "--integral", "--component", "--vertex", "--not-c1",      "--dilation",   "--vectors",    "--hermite",
+        "--matrices", "--subradius", "--l1",     "--contraction", "--lower",      "--upper",      "--exact",
+        "--attains",  "--logarithm", "FILE"})
     given[name];
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string name = arguments[i].starts_with("--") ? arguments[i++] : "FILE";
@@ -216,15 +217,14 @@ Claim read_claim(const std::vector<std::string>& arguments) {
              &rounding = given["--within"], &scheme = given["--surface"], &refinable = given["--refinable"],
              &integral = given["--integral"], &component = given["--component"],
              &surface = refinable ? refinable : scheme, &dilation = given["--dilation"], &smooth = given["--vertex"],
-             &broken = given["--not-c1"], &vertex = smooth ? smooth : broken,
-             &radius = given["--matrices"], &subradius = given["--subradius"], &vectors = given["--vectors"],
-             &hermite = given["--hermite"], &of_matrices = vectors ? vectors : hermite, &masks = given["--masks"],
-             &order = given["--order"], &recurrence = given["--recurrence"], &start = given["--start"],
-             &from = given["--from"], &limit = given["--limit"], &one = mask ? mask : masks,
-             &curve = one ? one : of_matrices, &matrices = subradius ? subradius : radius, &lower = given["--lower"],
-             &upper = given["--upper"], &exact = given["--exact"], &attains = given["--attains"],
-             &logarithm = given["--logarithm"], &l1 = given["--l1"], &contraction = given["--contraction"],
-             &file = given["FILE"];
+             &broken = given["--not-c1"], &vertex = smooth ? smooth : broken, &radius = given["--matrices"],
+             &subradius = given["--subradius"], &vectors = given["--vectors"], &hermite = given["--hermite"],
+             &of_matrices = vectors ? vectors : hermite, &masks = given["--masks"], &order = given["--order"],
+             &recurrence = given["--recurrence"], &start = given["--start"], &from = given["--from"],
+             &limit = given["--limit"], &one = mask ? mask : masks, &curve = one ? one : of_matrices,
+             &matrices = subradius ? subradius : radius, &lower = given["--lower"], &upper = given["--upper"],
+             &exact = given["--exact"], &attains = given["--attains"], &logarithm = given["--logarithm"],
+             &l1 = given["--l1"], &contraction = given["--contraction"], &file = given["FILE"];
   if (l1 || contraction) return read_l1_claim(given);
   const bool rough = upper && upper->starts_with('C');
   const bool of_values = range && !limit;  // of each value, or of all choices of them
@@ -245,8 +245,7 @@ Claim read_claim(const std::vector<std::string>& arguments) {
               !(exact && (of_values || rounding || follow_each_other)) && (!attains || rounding) &&
               (exact || attains || lower || (upper ? matrices || of_values || rough || of_matrices : one && !limit)) &&
               (!rough || (one && !rounding)) && (!logarithm || (one && (exact || attains))) &&
-              ((!component && !integral) || refinable) && (!vertex || (scheme && lower)) &&
-              !(smooth && broken),
+              ((!component && !integral) || refinable) && (!vertex || (scheme && lower)) && !(smooth && broken),
           usage);
   Claim claim;
   claim.file = *file;
@@ -283,7 +282,8 @@ Claim read_claim(const std::vector<std::string>& arguments) {
     claim.not_c1 = broken.has_value();
     require(!claim.not_c1 || !claim.vertex->and_above, "what is not C^1 is so around one valence");
     claim.head += (claim.not_c1 ? " not-c1=" : " vertex=") + *vertex;
-    claim.subject += std::string(", and ") + (claim.not_c1 ? "no " : "") + "C^1 limits of almost all data around " + *vertex;
+    claim.subject += std::string(", and ") + (claim.not_c1 ? "no " : "") + "C^1 limits of almost all data around " +
+                     *vertex;
   }
   if (integral) {
     claim.integral.emplace();

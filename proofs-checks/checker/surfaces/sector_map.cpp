@@ -134,9 +134,9 @@ bool SectorMap::has_jacobian(const Point& corner, bool positive) {
   const std::vector<Turning> along_x = data_on(ring_.differences[0], corner, {1, 0, 0}),
                              along_y = data_on(ring_.differences[1], corner, {0, 1, 0});
   return std::ranges::all_of(along_x, [&](const Turning& u) {
-    return std::ranges::all_of(
-        along_y,
-        [&](const Turning& v) { return has_sign(intervals_.times(u.a, v.b) - intervals_.times(u.b, v.a), positive); });
+    return std::ranges::all_of(along_y, [&](const Turning& v) {
+      return has_sign(intervals_.times(u.a, v.b) - intervals_.times(u.b, v.a), positive);
+    });
   });
 }
 

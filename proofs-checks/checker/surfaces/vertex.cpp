@@ -157,8 +157,7 @@ class Vertex {
     const Turning first = frequency.inverse(vector[0]);
     for (std::size_t i = 1; i < matrix.size(); ++i) {
       const Turning part = frequency.times(vector[i], first);
-      for (std::size_t j = 1; j < matrix.size(); ++j)
-        matrix[i][j] = matrix[i][j] - frequency.times(part, matrix[0][j]);
+      for (std::size_t j = 1; j < matrix.size(); ++j) matrix[i][j] = matrix[i][j] - frequency.times(part, matrix[0][j]);
       matrix[i].erase(matrix[i].begin());
     }
     matrix.erase(matrix.begin());
@@ -170,7 +169,8 @@ class Vertex {
     const Frequency frequency(k, rules_.valence, intervals_);
     TurningMatrix matrix = block(k, frequency, points_of(k));
     const mpz_class one = intervals_.one();
-    if (k == 0) matrix = quotient(std::move(matrix), std::vector(matrix.size(), Turning{{one, one}, {0, 0}}), frequency);
+    if (k == 0)
+      matrix = quotient(std::move(matrix), std::vector(matrix.size(), Turning{{one, one}, {0, 0}}), frequency);
     if (k == frequency_.number() && !matrix.empty()) {
       std::vector<Turning> vector = values_;
       if (k == 0) {
@@ -195,8 +195,9 @@ class Vertex {
     std::optional<FitBounds> fits;
     if (reader_.at("fits")) fits = fit_bounds(mask_, parse_rational(reader_.take("fits", 1, 1)[0]), arithmetic_);
     ring_.emplace(mask_, rules_, std::move(fits));
-    return {mask_,  rules_, *ring_, {cosine_, {0, 0}}, frequency_, intervals_, eigenvalue_, frequency_.inverse(eigenvalue_),
-            known_, {},     arithmetic_};
+    return {mask_,      rules_,     *ring_,      {cosine_, {0, 0}},
+            frequency_, intervals_, eigenvalue_, frequency_.inverse(eigenvalue_),
+            known_,     {},         arithmetic_};
   }
 
   void require_in_ring(std::int64_t radius) const {

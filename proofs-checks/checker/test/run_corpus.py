@@ -11,6 +11,7 @@ from fractions import Fraction
 from pathlib import Path
 
 import convergence_cases
+import not_c1_cases
 import vertex_cases
 import vertices_cases
 
@@ -240,7 +241,7 @@ def usage_cases(directory, scratch):
              f"matrices 1 2\nrow 1/{2**6001} 0\nrow 0 1/{2**3999 + 1}\n"]
     for name, text in zip(FILES, texts):
         Path(name.replace("FOLDER", scratch)).write_text(text)
-    for code, arguments in [*USAGE, *convergence_cases.usage(), *vertex_cases.usage(), *vertices_cases.usage()]:
+    for code, arguments in [*USAGE, *convergence_cases.usage(), *vertex_cases.usage(), *vertices_cases.usage(), *not_c1_cases.usage()]:
         yield arguments, arguments.replace("FOLDER", scratch).split(), lambda result, code=code: (
             result[0] == code and bool(result[2] if code else result[1]) and (code == 0 or "VERIFIED" not in result[1])
             and "internal error" not in result[2])

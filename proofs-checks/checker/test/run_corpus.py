@@ -251,7 +251,7 @@ def printed(arguments):
     """What a checker prints where it accepts a claim."""
     values = dict(zip(arguments[::2], arguments[1::2]))
     lower, upper, within = (values.get(f"--{option}") for option in ("lower", "upper", "within"))
-    levels, each_point, vertex = (values.pop(name, None) for name in ("--levels", "--each-point", "--vertex"))
+    levels, each_point, vertex, broken = (values.pop(name, None) for name in ("--levels", "--each-point", "--vertex", "--not-c1"))
     order, step, start, level, limit = (values.pop(name, None) for name in ("--order", "--recurrence", "--start", "--from", "--limit"))
     range_ = levels or values.get("--for")
     exact, logarithm, component, integral = (values.pop(name, None) for name in ("--exact", "--logarithm", "--component", "--integral"))
@@ -265,6 +265,7 @@ def printed(arguments):
     subject = f"the refinable functions of {subject}" if "--refinable" in values else subject
     subject = f"{subject} and integral {integral}" if integral else subject
     subject = f"{subject}, and C^1 limits of almost all data around {vertex}" if vertex else subject
+    subject = f"{subject}, and no C^1 limits of almost all data around {broken}" if broken else subject
     subject = f"component {component} of {subject}" if component else subject
     relation = "<" if range_ and not limit else "<="
     rough = upper and upper.startswith("C")

@@ -123,7 +123,7 @@ def rejected():
     yield case("vertex-lambda-negative", "doo-sabin", ds, small, edits=[(vertex_line, r"\1 \2 -\3 \4")])
     yield case("vertex-lambda-1", "doo-sabin", ds, small, edits=[(vertex_line, rf"\1 \2 {2**64} 0")])
     yield case("vertex-lambda-off", "doo-sabin", ds, near, edits=[(vertex_line, rf"\1 \2 {2**63 + 2**21} \4")])
-    yield case("vertex-radius-negative", "doo-sabin", ds, small, edits=[(vertex_line, r"\1 \2 \3 -\4")])
+    yield case("vertex-radius-negative", "doo-sabin", ds, "the radius is below 0", edits=[(vertex_line, r"\1 \2 \3 -\4")])
     yield case("vertex-radius-0", "loop", loop(5), near, edits=[(vertex_line, r"\1 \2 \3 0")])
     yield case("vertex-radius-large", "doo-sabin", ds, near, edits=[(vertex_line, rf"\1 \2 \3 {2**62}")])
     yield case("vertex-value", "loop", loop(5), near, edits=[(r"^(values \S+ \S+) \S+", r"\1 5")])

@@ -337,16 +337,22 @@ MapProof CharacteristicMap::prove(int most_levels) const {
     }
     return true;
   };
-  bool positive = false, negative = false;
+  std::optional<Cell> positive, negative;
   const bool regular = all([&](const Cell& cell) {
     const Truth sign = sign_of_jacobian(cell);
-    positive = positive || sign == Truth::yes;
-    negative = negative || sign == Truth::no;
+    if (sign == Truth::yes && !positive) positive = cell;
+    if (sign == Truth::no && !negative) negative = cell;
     return sign == Truth::yes || (sign == Truth::no && !positive);
   });
-  if ((positive && negative) || (!regular && has_both_signs(most_levels)))
+  std::optional<std::array<Cell, 2>> both;
+  if (positive && negative)
+    both = {*positive, *negative};
+  else if (!regular)
+    both = both_signs(most_levels);
+  if (both) {
     proof.regular = {Truth::no, "the Jacobian of the characteristic map has both signs"};
-  else if (regular)
+    for (const Cell& cell : *both) proof.folds.push_back(small_part_of(cell));
+  } else if (regular)
     proof.regular = {Truth::yes, "the Jacobian of the characteristic map is not 0"};
   else
     proof.regular.reason = "the Jacobian of the characteristic map is not proved to keep its sign";
@@ -358,43 +364,59 @@ MapProof CharacteristicMap::prove(int most_levels) const {
   return proof;
 }
 
-bool CharacteristicMap::has_both_signs(int most_levels) const {
+LatticePoint CharacteristicMap::small_part_of(const Cell& cell) const {
+  const long m = rules_.mask.arity();
+  LatticePoint corner{cell.x, cell.y};
+  for (bool is_near = true; is_near; is_near = std::max(corner[0], corner[1]) < far())
+    for (long& x : corner) x = m * x + m / 2;
+  return corner;
+}
+
+auto CharacteristicMap::both_signs(int most_levels) const -> std::optional<std::array<Cell, 2>> {
   const std::vector<Cell> first = ring();
   std::deque<Cell> open(first.begin(), first.end());
-  bool positive = false, negative = false;
+  std::optional<Cell> positive, negative;
   for (int left = 8 << most_levels; left > 0 && !open.empty(); --left) {
     const Cell cell = open.front();
     open.pop_front();
     const Truth sign = sign_of_jacobian(cell);
-    positive = positive || sign == Truth::yes;
-    negative = negative || sign == Truth::no;
-    if (positive && negative) return true;
+    if (sign == Truth::yes) positive = cell;
+    if (sign == Truth::no) negative = cell;
+    if (positive && negative) return std::array<Cell, 2>{*positive, *negative};
     if (sign != Truth::unknown || cell.level == most_levels) continue;
     for (const Cell& child : children(cell)) open.push_back(child);
   }
-  return false;
+  return std::nullopt;
 }
 
-bool CharacteristicMap::winds(int most_levels) const {
-  if (!forms_.values.bound || !is_plane_on_ring()) return false;
+auto CharacteristicMap::side(long place) -> std::deque<Cell> {
+  std::deque<Cell> cells;
+  for (long y = 0; y <= place; ++y) cells.push_back({place, y, 0});
+  return cells;
+}
+
+std::optional<ClosedCurve> CharacteristicMap::winds(int most_levels) const {
+  if (!forms_.values.bound || !is_plane_on_ring()) return std::nullopt;
   const long r = radius(), m = rules_.mask.arity();
   // Along the squares of one radius: those of the ring with x = m r - 1, and their mirror images.
-  const auto along_side = [&](long x) {
-    std::deque<Cell> cells;
-    for (long y = 0; y <= x; ++y) cells.push_back({x, y, 0});
-    return has_no_zero(std::move(cells), most_levels);
-  };
-  if (along_side(m * r - 1)) return true;
-  if (block_.frequency() != 0) return false;
+  if (has_no_zero(side(m * r - 1), most_levels)) return ClosedCurve{m * r - 1, false};
+  if (block_.frequency() != 0) return std::nullopt;
   // A real map may have zeros along some curves: others of the ring, and those with x + y = s.
   for (long x = r; x + 1 < m * r; ++x)
-    if (along_side(x)) return true;
-  for (long s = 2 * r + 1; s <= 2 * m * r; ++s) {
+    if (has_no_zero(side(x), most_levels)) return ClosedCurve{x, false};
+  for (long s = 2 * r; s < 2 * m * r; ++s) {
     std::deque<Cell> cells;
-    for (long y = 0; 2 * y <= s - 1; ++y) cells.push_back({s - 1 - y, y, 0});
-    if (has_no_zero(std::move(cells), 0)) return true;
+    for (long y = 0; 2 * y <= s; ++y) cells.push_back({s - y, y, 0});
+    if (has_no_zero(std::move(cells), 0)) return ClosedCurve{s, true};
   }
-  return false;
+  return std::nullopt;
+}
+
+std::optional<long> CharacteristicMap::winds_by_small_squares(const ClosedCurve& curve) const {
+  const long m = rules_.mask.arity(), most = 8 * far();
+  for (long x = m * curve.place + m / 2; x <= most; x = m * x + m / 2)
+    if (x >= far() && has_no_zero(side(x), 0)) return x;
+  return std::nullopt;
 }
 
 bool CharacteristicMap::has_values() const {

@@ -50,6 +50,14 @@ struct MapProof {
   Decision half_plane;  ///< each sector is in an open half plane
   int levels = 0;       ///< how often squares were cut, at most
   long squares = 0;     ///< in how many the proof is
+  /// Where the Jacobian has both signs: the corners of small squares on which it is above 0, and below.
+  std::vector<LatticePoint> folds = {};
+};
+
+/// Where F has no zero: on the unit squares with corners (x, y), max(x, y) = place, or x + y = place.
+struct ClosedCurve {
+  long place;
+  bool is_diagonal;
 };
 
 /// F and its data: z(P) turned by w^t in sector t, z(new P) = lambda z(P) by the rules, and its own mirror image.
@@ -77,9 +85,11 @@ class CharacteristicMap {
   Turning<Ball> data_at(const LatticePoint& point) const;
   /// Cuts squares up to `most_levels` times. Domain: frequency 1.
   MapProof prove(int most_levels) const;
-  /// Whether F has no zero on some closed curve around the vertex: then it winds around 0 as often as k modulo n.
-  /// Domain: also frequency 0, with a real eigenvalue other than 0.
-  bool winds(int most_levels) const;
+  /// A closed curve around the vertex where F has no zero, if one is found: then it winds around 0 as often as k modulo
+  /// n. Domain: also frequency 0, with a real eigenvalue other than 0.
+  std::optional<ClosedCurve> winds(int most_levels) const;
+  /// The same curve by small squares, on each of which F is seen to have no zero. Domain: not diagonal.
+  std::optional<long> winds_by_small_squares(const ClosedCurve& curve) const;
   /// Whether F is proved not to vanish on some square. Domain: as `winds`.
   bool has_values() const;
 
@@ -108,12 +118,18 @@ class CharacteristicMap {
   /// Whether in the windows of the ring the rules are those of the mask in the plane: beyond the ring they are then.
   bool is_plane_on_ring() const;
   std::vector<Cell> ring() const;
+  /// Those with x = place and y <= x.
+  static std::deque<Cell> side(long place);
+  /// From which coordinate on certificates name squares: small ones, and beyond their ring.
+  long far() const { return 12 * radius(); }
   std::vector<Cell> children(const Cell& cell) const;
   bool has_no_zero(std::deque<Cell> open, int most_levels) const;
   Truth sign_of_jacobian(const Cell& cell) const;
   /// Whether two squares show it: large ones first, as a proof goes to the last level of the first that it does not
   /// decide.
-  bool has_both_signs(int most_levels) const;
+  /// Their corners.
+  std::optional<std::array<Cell, 2>> both_signs(int most_levels) const;
+  LatticePoint small_part_of(const Cell& cell) const;
   Truth jacobian_by_hulls(const Cell& cell) const;
   /// The data of a form, or the differences along an axis that its derivative is a function of.
   std::vector<Turning<Ball>> data_on(const Cell& cell, const CellForm& form, const LatticePoint& step) const;

@@ -94,6 +94,7 @@ class VertexProof {
     }
     if (Ball(1, bits_).is_less(abs(spectrum_->groups.front().value))) {
       result_.c1 = {Truth::no, "an eigenvalue has a modulus above 1"};
+      keep_evidence_above_one(spectrum_->groups.front());
       return result_;
     }
     const auto leader = leader_of(*spectrum_, rules_, set_);
@@ -133,19 +134,45 @@ class VertexProof {
     const Decision& deciding = proof.regular.is_yes() ? proof.half_plane : proof.regular;
     result_.c1 = {deciding.truth,
                   deciding.is_yes() ? "the characteristic map is regular and injective" : deciding.reason};
-    if (!result_.c1.is_yes() || !spectrum_->has_simple_leader()) return;
-    look_behind(spectrum_->groups.front());
-    result_.evidence = evidence_of(rules_, set_, *map, value, BallField(rules_.valence, bits_),
+    if (!spectrum_->has_simple_leader()) return;
+    if (result_.c1.is_yes())
+      look_behind(spectrum_->groups.front());
+    else if (proof.folds.empty())
+      return;
+    keep_evidence(*map, share.frequency, value, {}, proof.folds);
+  }
+
+  void keep_evidence(const CharacteristicMap& map, long frequency, const Ball& value, std::optional<long> around,
+                     std::vector<LatticePoint> folds) {
+    const auto found = evidence_of(rules_, set_, map, frequency, value, BallField(rules_.valence, bits_),
                                    regular_.forms->are_hulls());
+    if (!found) return;
+    VertexEvidence evidence = *found;
+    evidence.around = around;
+    evidence.folds = std::move(folds);
+    result_.evidence = std::make_shared<const VertexEvidence>(std::move(evidence));
+  }
+
+  /// Where it is one real number, and the limits of the mask are what certificates ask for.
+  void keep_evidence_above_one(const FrequencyGroup& group) {
+    const Ball value = group.value.real();
+    if (!regular_.c1.is_yes() || group.count > 1 || !Ball(1, bits_).is_less(abs(value))) return;
+    const auto map = CharacteristicMap::find(rules_, set_, *regular_.forms, group.frequency, value,
+                                             BallField(rules_.valence, bits_));
+    if (map) keep_evidence(*map, group.frequency, value, {}, {});
   }
 
   void refute(const Leader::Share& share, const Ball& value) {
     const auto map = map_of(share, value);
     const std::string what = fmt::format("the subdominant eigenvalue has frequency {}", share.frequency);
-    if (map && map->winds(most_levels))
+    if (const auto curve = map ? map->winds(most_levels) : std::nullopt) {
       result_.c1 = {Truth::no, what};
-    else
+      if (!spectrum_->has_simple_leader() || curve->is_diagonal) return;
+      if (const auto place = map->winds_by_small_squares(*curve))
+        keep_evidence(*map, share.frequency, value, place, {});
+    } else {
       result_.c1.reason = what + ", and no closed curve without a zero of its map is found";
+    }
   }
 
   /// Three functions or more that lead are those of no graph.

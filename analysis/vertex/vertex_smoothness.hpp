@@ -32,15 +32,21 @@ RegularPart regular_part(const SectorRules& rules, const Budget& budget);
 enum class CurvatureLimit { zero, bounded, unbounded };
 std::string to_text(CurvatureLimit limit);
 
-/// What tells a checker of certificates the characteristic map, rounded. Proof: SPEC.md, section 5.11.
+/// What tells a checker of certificates the map of an eigenvalue, rounded: the leading one, or one above 1 in modulus.
+/// Proof: SPEC.md, sections 5.11 and 5.14.
 struct VertexEvidence {
-  using Pair = std::array<Rational, 2>;  // x + y w, w = exp(2 pi i/n)
+  using Pair = std::array<Rational, 2>;  // x + y w, w = exp(2 pi i k/n); y = 0 where w is real
 
+  long frequency = 1;    ///< k
   bool by_hulls = true;  ///< whether derivatives lie in hulls of differences; else they are near affine fits
-  std::vector<LatticePoint> points;  ///< of a closed set; the vertex, if it is one of them, stands first
+  std::vector<LatticePoint> points;  ///< of a closed set; the vertex, if it is one of them, stands first for k > 0
   Rational lambda;
-  std::vector<Pair> values;                ///< of the map's data at the points but the vertex
+  std::vector<Pair> values;                ///< of the map's data at the points, for k > 0 but the vertex
   std::vector<std::vector<Pair>> inverse;  ///< of the derivative of (A - lambda) z by lambda and by z but at the first
+  /// Where it is refuted: the largest coordinate of the corners of squares around the vertex without a zero; or the
+  /// corners of two on which the Jacobian is above 0, and below. Neither for an eigenvalue above 1.
+  std::optional<long> around = {};
+  std::vector<LatticePoint> folds = {};
 };
 
 /// Of the surfaces of all initial data but a set of measure zero.
@@ -55,7 +61,7 @@ struct VertexSmoothness {
   std::optional<CurvatureLimit> curvature;         ///< where c1 is yes; 0 or bounded, where curved
   int levels = 0;                                  ///< how often squares were cut
   long squares = 0;                                ///< that the proofs looked at
-  std::shared_ptr<const VertexEvidence> evidence;  ///< where c1 is yes
+  std::shared_ptr<const VertexEvidence> evidence;  ///< where c1 is known, not all
 };
 
 /// Domain: rules with the mask of the regular part. Errors: throws Error for rules that are not the same in all

@@ -104,7 +104,7 @@ WeightProof::Found WeightProof::by_map(const LetterZero& first, const Letters& w
 bool WeightProof::is_refuted_by(const LetterZero& leader, const Letters& weights) const {
   if (Ball(1, weight_bits).is_less(abs(leader.value))) return true;  // points leave every bounded set
   const auto map = map_of(leader, weights);
-  return map && map->winds(most_map_levels);
+  return map && map->winds(most_map_levels).has_value();
 }
 
 WeightProof::Found WeightProof::refuted(const Letters& weights) const {

@@ -40,7 +40,7 @@ struct VertexOptions : SearchOptions {
   PaperForm form;
 };
 
-/// One for each valence where smoothness is proved by what certificates can say, and one for all that follow.
+/// One for each valence where smoothness is decided by what certificates can say, and one for all that follow.
 WrittenCertificates write_certificates_of(const VertexOptions& options, const std::vector<SectorRules>& rules,
                                           const std::vector<VertexSmoothness>& valences,
                                           const std::optional<SectorRuleFamily>& family,
@@ -55,9 +55,10 @@ WrittenCertificates write_certificates_of(const VertexOptions& options, const st
     if (const auto& evidence = valences[i].evidence)
       add(valences[i].valence, "vertex", evidence->by_hulls, rules[i], valences[i]);
   if (rest && rest->evidence) add(rest->first, "vertices", true, *family, *rest);
-  return write_certificates(
-      options.certificate, certificates, {"-vertex", "-vertices"},
-      "what is not proved, or with a Jordan block in front, or of all valences not by hulls of differences", json);
+  return write_certificates(options.certificate, certificates, {"-vertex", "-vertices"},
+                            "what is not decided, or with several eigenvalues or a Jordan block in front, or of all "
+                            "valences not by hulls of differences",
+                            json);
 }
 
 /// For which values of a letter.

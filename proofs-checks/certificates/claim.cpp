@@ -22,7 +22,7 @@ constexpr std::string_view recurrence = "recurrence=", start = "start=", from = 
                            period = "period=";
 constexpr std::string_view levels = "levels", each_point = "each-point", lists = "lists", component = "component",
                            integral = "integral";
-constexpr std::string_view vertex = "vertex";
+constexpr std::string_view vertex = "vertex", not_c1 = "not-c1";
 
 /// The line of a certificate that says what it is about.
 struct SubjectLine {
@@ -39,7 +39,7 @@ struct SubjectLine {
   }
   std::string operator()(const SurfaceSubject& of) const {
     return fmt::format("{} {} {}{}{}{}", of.is_refinable ? "refinable" : "surface", of.mask, of.dilation,
-                       of.vertex.empty() ? "" : fmt::format(" {}={}", vertex, of.vertex),
+                       of.vertex.empty() ? "" : fmt::format(" {}={}", of.is_c1 ? vertex : not_c1, of.vertex),
                        of.integral.empty() ? "" : fmt::format(" {}={}", integral, of.integral),
                        of.component.empty() ? "" : fmt::format(" {}={}", component, of.component));
   }
@@ -81,10 +81,14 @@ ClaimSubject read_subject(const std::string& line, const std::string& file) {
   }
   if (kind == "surface" || kind == "refinable") {
     SurfaceSubject subject{first, second, kind == "refinable"};
-    for (; !more.empty(); more.clear(), words >> more)
-      for (const auto& [name, field] :
-           {std::pair(integral, &subject.integral), {component, &subject.component}, {vertex, &subject.vertex}})
+    for (; !more.empty(); more.clear(), words >> more) {
+      for (const auto& [name, field] : {std::pair(integral, &subject.integral),
+                                        {component, &subject.component},
+                                        {vertex, &subject.vertex},
+                                        {not_c1, &subject.vertex}})
         if (more.starts_with(name)) *field = more.substr(std::min(more.size(), name.size() + 1));
+      if (more.starts_with(not_c1)) subject.is_c1 = false;
+    }
     return subject;
   }
   if (kind == "radius" || kind == "subradius") return FamilySubject{kind == "subradius", first, second};
@@ -126,7 +130,7 @@ struct SubjectArguments {
   std::vector<std::string> operator()(const SurfaceSubject& of) const {
     std::vector<std::string> arguments{of.is_refinable ? "--refinable" : "--surface", of.mask, "--dilation",
                                        of.dilation};
-    if (!of.vertex.empty()) arguments.insert(arguments.end(), {"--vertex", of.vertex});
+    if (!of.vertex.empty()) arguments.insert(arguments.end(), {of.is_c1 ? "--vertex" : "--not-c1", of.vertex});
     if (!of.integral.empty()) arguments.insert(arguments.end(), {"--integral", of.integral});
     if (!of.component.empty()) arguments.insert(arguments.end(), {"--component", of.component});
     return arguments;

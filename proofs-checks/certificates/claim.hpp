@@ -37,6 +37,7 @@ struct SurfaceSubject {
   std::string component = {};  ///< the number, from 0, of the one that is meant, or empty
   std::string integral = {};   ///< X0,X1,..., that of the only functions that have it, or empty
   std::string vertex = {};     ///< LATTICE:N;..., rules around a vertex where limits are C^1, or empty
+  bool is_c1 = true;           ///< with these: or they are not
 };
 struct FamilySubject {
   bool is_subradius = false;

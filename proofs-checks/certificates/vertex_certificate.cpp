@@ -72,13 +72,15 @@ std::string rules_text(const SectorRules& rules, const std::string& valences, lo
 /// Of the mask, with a claim about what is around these vertices.
 Certificate certificate_around(const LatticeMask& mask, const std::string& rules,
                                const MultivariateRegularity& regularity, const Decision& c1, bool is_told) {
-  require(c1.is_yes(), "certificate: need smoothness that is proved, got: {}", c1.reason);
+  require(c1.truth != Truth::unknown, "certificate: need smoothness that is decided, got: {}", c1.reason);
   require(is_told,
           "certificate: need what tells a checker the maps, those of all valences by hulls of differences alone");
   Certificate certificate = surface_certificate(mask, regularity);
   require(certificate.claim.lower && *parse_rational(*certificate.claim.lower) > 1,
           "certificate: need a proved exponent above 1 of the mask, got {}", certificate.claim.lower.value_or("none"));
-  std::get<SurfaceSubject>(certificate.claim.subject).vertex = rules;
+  auto& subject = std::get<SurfaceSubject>(certificate.claim.subject);
+  subject.vertex = rules;
+  subject.is_c1 = c1.is_yes();
   return certificate;
 }
 
@@ -102,16 +104,23 @@ Certificate vertex_certificate(const SectorRules& rules, const MultivariateRegul
   Certificate certificate = certificate_around(rules.mask, rules_text(rules), regularity, smoothness.c1,
                                                smoothness.evidence != nullptr);
   const VertexEvidence& evidence = *smoothness.evidence;
-  const Integer radius = to_integer(power(Rational(2), disc_bits), Rounding::nearest);
-  std::string text = fmt::format(
-      "vertex {} {} {} {} {}\npoints", bits, value_bits,
-      evidence.by_hulls ? std::min(smoothness.levels + 1, most_hulls) : most_fits,
-      to_integer(Rational(evidence.lambda * power(Rational(2), value_bits)), Rounding::nearest).str(), radius.str());
+  const std::string place = fmt::format(
+      "{} {}", to_integer(Rational(evidence.lambda * power(Rational(2), value_bits)), Rounding::nearest).str(),
+      to_integer(power(Rational(2), disc_bits), Rounding::nearest).str());
+  std::string text = smoothness.c1.is_yes()
+                         ? fmt::format("vertex {} {} {} {}\npoints", bits, value_bits,
+                                       evidence.by_hulls ? std::min(smoothness.levels + 1, most_hulls) : most_fits,
+                                       place)
+                         : fmt::format("not-c1 {} {} {} {}\npoints", evidence.frequency, bits, value_bits, place);
   for (const LatticePoint& point : evidence.points) text += fmt::format(" {}", fmt::join(point, ","));
   text += fmt::format("\nvalues{}\ninverse {}\n", pairs_text(evidence.values, value_bits), row_bits);
   for (std::size_t i = 0; i < evidence.inverse.size(); ++i)
     text += fmt::format("row {}{}\n", i, pairs_text(evidence.inverse[i], row_bits));
-  if (!evidence.by_hulls) text += fmt::format("fits {}\n", rate_of_fits);
+  if (evidence.around) text += fmt::format("around {}\n", *evidence.around);
+  if (!evidence.folds.empty())
+    text += fmt::format("folds {} {}\n", fmt::join(evidence.folds[0], ","), fmt::join(evidence.folds[1], ","));
+  const bool has_map = smoothness.c1.is_yes() || evidence.around || !evidence.folds.empty();
+  if (has_map && !evidence.by_hulls) text += fmt::format("fits {}\n", rate_of_fits);
   certificate.sections.push_back({std::move(text)});
   return certificate;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Certificates of smoothness around vertices.
+/// Certificates of smoothness around vertices, or of none.
 
 #include "certificate.hpp"
 
@@ -16,9 +16,9 @@ std::string rules_text(const SectorRuleFamily& family, long first);
 /// above 1 with a short proof, if one is found. Domain: a mask of rules at vertices. Cost: that of regularity_of().
 MultivariateRegularity regularity_around(const LatticeMask& mask, bool by_hulls, const Budget& budget);
 
-/// That limits of the mask have at least an exponent above 1, and those of almost all data are C^1 around the vertex.
-/// Domain: `regularity` is that of the mask of the rules, `smoothness` that of the rules. Errors: throws Error where
-/// nothing above 1 is proved of the mask, smoothness is not, and for what the checkers do not read.
+/// That limits of the mask have at least an exponent above 1, and those of almost all data are C^1 around the vertex,
+/// or are not. Domain: `regularity` is that of the mask of the rules, `smoothness` that of the rules. Errors: throws
+/// Error where nothing above 1 is proved of the mask, smoothness is not decided, and for what the checkers do not read.
 Certificate vertex_certificate(const SectorRules& rules, const MultivariateRegularity& regularity,
                                const VertexSmoothness& smoothness);
 

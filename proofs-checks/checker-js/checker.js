@@ -3088,6 +3088,11 @@ var check_certificate = (() => {
       return [real.minus(real.times(a, c), bd), real.plus(mixed, real.times(this.twice, bd))];
     }
     scaled(factor, [a, b]) { return [this.real.times(factor, a), this.real.times(factor, b)]; }
+    get is_real() { return !this.k || 2 * this.k === this.n; }
+    inner([a, b], [c, d]) {  // twice the real part of one times the conjugate of the other
+      const {real} = this, parts = real.plus(real.times(a, c), real.times(b, d));
+      return real.plus(real.plus(parts, parts), real.times(this.twice, real.plus(real.times(a, d), real.times(b, c))));
+    }
     inverse(x) {
       const {real} = this, conjugate = [real.plus(x[0], real.times(this.twice, x[1])), real.opposite(x[1])];
       const square = this.times(x, conjugate)[0];
@@ -3377,7 +3382,7 @@ var check_certificate = (() => {
         known.set(key, null);
         const total = rule_at(this.sectors, this.lattice, at).reduce((all, term) => {
           const value = turns.scaled(weight_at(term, real, this.letters), this.turned(this.value_at(term.at), term.turn));
-          return term.ring === null || term.ring === 1 ? turns.plus(all, value) : all;
+          return term.ring === null || term.ring === turns.k ? turns.plus(all, value) : all;
         }, [near_one ? near_one.decay : real.zero, real.zero]);
         known.set(key, turns.times(this.of_lambda, total));
       }
@@ -3390,24 +3395,36 @@ var check_certificate = (() => {
       return real.plus(...turns.times(this.powers[level], z));
     }
     is_ahead_on(corner, level) {
-      const {window, fits} = this.ring, data = window.map(k => this.ahead(this.value_at(add_points(corner, k)), level));
+      return this.is_positive(this.ring.window.map(k => this.ahead(this.value_at(add_points(corner, k)), level)));
+    }
+    is_positive(data) {  // limits of data on a window, on its square
+      const {fits} = this.ring;
       return fits ? fits.within(this.turns.real, data).least > 0n : data.every(([low]) => low > 0n);
     }
-    is_regular_on(corner) {
+    has_no_zero_at(radius) {  // on squares with this largest coordinate
+      const has_none_on = corner => {
+        const at = this.value_at(corner);
+        spend(20);
+        return this.is_positive(this.ring.window.map(k => this.turns.inner(at, this.value_at(add_points(corner, k)))));
+      };
+      return range_of(radius + 1).every(i => has_none_on([radius, radius - i]) && has_none_on([radius - i, radius]));
+    }
+    has_jacobian(corner, positive = true) {
+      const has_sign = ([low, high]) => positive ? low > 0n : high < 0n;
       const {turns} = this, {real} = turns, {fits, window} = this.ring, at = k => this.value_at(add_points(corner, k));
       if (fits) {  // Theorem 66
         const data = window.map(at), [a, b] = [0, 1].map(part => fits.within(real, data.map(z => z[part])).slopes);
-        return real.minus(real.times(a[0], b[1]), real.times(b[0], a[1]))[0] > 0n;
+        return has_sign(real.minus(real.times(a[0], b[1]), real.times(b[0], a[1])));
       }
       const [us, vs] = this.ring.differences.map((window, axis) =>
         window.map(k => turns.minus(at(k), at(add_points(k, axis ? [0, 1] : [1, 0], -1)))));
-      return us.every(([a, b]) => vs.every(([c, d]) => real.minus(real.times(a, d), real.times(b, c))[0] > 0n));
+      return us.every(([a, b]) => vs.every(([c, d]) => has_sign(real.minus(real.times(a, d), real.times(b, c)))));
     }
     shows(corner, level, cuts, known = false) {  // the parts of a square that is ahead are so
       const {m} = this.lattice, parts = range_of(m * m).map(i => [m * corner[0] + Math.floor(i / m), m * corner[1] + i % m]);
       spend(20);
       const ahead = known || this.is_ahead_on(corner, level);
-      return (ahead && this.is_regular_on(corner)) || (level < cuts && parts.every(part => this.shows(part, level + 1, cuts, ahead)));
+      return (ahead && this.has_jacobian(corner)) || (level < cuts && parts.every(part => this.shows(part, level + 1, cuts, ahead)));
     }
     is_regular(cuts) {  // Theorem 55
       const {turns} = this, {first} = this.ring, end = this.lattice.m * first;
@@ -3421,29 +3438,58 @@ var check_certificate = (() => {
     }
   }
   class Vertex {
-    constructor(sectors, lattice, reader) {
-      Object.assign(this, {sectors, lattice, reader});
-      const fields = reader.read('vertex', 5), bits_read = small(fields[0], 64, 1024), xbits = small(fields[1], 0, 4096);
-      this.real = new Intervals(bits_read, sectors.n);
-      [this.W, this.scale, this.levels] = [this.real.W, 1n << BigInt(xbits), small(fields[2], 0, 8)];
-      [this.lambda, this.radius] = fields.slice(3).map(integer);  // over the scale
-      [this.first, this.cosine] = [new Turns(this.real, 1), this.real.cosine(1)];
-      demand(this.radius >= 0n && this.lambda > this.radius && this.lambda + this.radius < this.scale,
-             'the subdominant eigenvalue is not between 0 and 1');
+    constructor(sectors, lattice, reader, k, [bits, xbits, ...places]) {
+      Object.assign(this, {sectors, lattice, reader, k});
+      this.real = new Intervals(small(bits, 64, 1024), sectors.n);
+      [this.W, this.scale] = [this.real.W, 1n << BigInt(small(xbits, 0, 4096))];
+      [this.lambda, this.radius] = places.map(integer);  // over the scale
+      [this.first, this.cosine] = [new Turns(this.real, k), this.real.cosine(1)];
+      demand(this.radius >= 0n, 'the radius is below 0');
     }
-    check() {
+    static check_c1(sectors, lattice, reader) {  // Theorem 55
+      const [bits, xbits, cuts, ...places] = reader.read('vertex', 5), vertex = new Vertex(sectors, lattice, reader, 1, [bits, xbits, ...places]);
+      const levels = small(cuts, 0, 8);
+      vertex.find_leader();
+      demand(vertex.map().is_regular(levels), 'the characteristic map is not shown to be regular and in a half plane');
+    }
+    static check_not_c1(sectors, lattice, reader) {  // Theorems 67 and 68
+      const [frequency, ...fields] = reader.read('not-c1', 5), k = small(frequency, 0, sectors.n >> 1);
+      const vertex = new Vertex(sectors, lattice, reader, k, fields), {lambda, radius, scale, first} = vertex;
+      if ((lambda < 0n ? -lambda : lambda) - radius > scale) {
+        vertex.read_lines();
+        return vertex.show_eigenvector();
+      }
+      demand(!k || !first.is_real, 'the frequency is n/2');
+      vertex.find_leader();
+      const place = text => small(text, 0, 4096), in_ring = (ring, far) => demand(far >= ring.first, 'a square is too near to the vertex');
+      if (k !== 1 && reader.peek() === 'around') {
+        const far = place(reader.read('around', 1)[0]), map = vertex.map();
+        in_ring(map.ring, far);
+        return demand(map.has_no_zero_at(far), 'the map may be 0 on these squares');
+      }
+      demand(k, 'a real map has no Jacobian');
+      const corners = reader.read('folds', 2).map(text => text.split(',').map(place)), map = vertex.map();
+      corners.forEach((corner, i) => {
+        demand(corner.length === 2, 'a square is told by two coordinates');
+        in_ring(map.ring, Math.max(...corner));
+        demand(map.has_jacobian(corner, !i), 'the Jacobian is not shown to have both signs');
+      });
+    }
+    find_leader() {
+      demand(this.lambda > this.radius && this.lambda + this.radius < this.scale, 'the subdominant eigenvalue is not between 0 and 1');
       this.read_lines();
       this.show_eigenvector();
       this.widen();
       for (let k = 0; 2 * k <= this.sectors.n; ++k) this.show_gap(k);
-      this.show_regular();
     }
     read_lines() {
-      const {reader, sectors} = this;
+      const {reader, sectors, first} = this;
       [this.points, this.turning] = read_points(reader, sectors, 64);
-      const n = this.turning.length;
+      this.own = this.k ? this.turning : this.points;
+      const n = this.own.length;
       const pairs = (tokens, scale) => {
-        const numbers = tokens.map(token => this.real.of(fraction(integer(token), scale)));
+        const read = tokens.map(integer), numbers = read.map(x => this.real.of(fraction(x, scale)));
+        demand(!first.is_real || read.every((x, i) => i % 2 === 0 || x === 0n), 'a number of a real frequency is not real');
         return range_of(n).map(i => numbers.slice(2 * i, 2 * i + 2));
       };
       this.values = pairs(reader.read('values', 2 * n), this.scale);
@@ -3464,7 +3510,7 @@ var check_certificate = (() => {
       });
     }
     show_eigenvector() {  // Lemma 52
-      const {first, real, W} = this, matrix = this.block(1, first, this.turning), lambda = real.of(fraction(this.lambda, this.scale));
+      const {first, real, W} = this, matrix = this.block(this.k, first, this.own), lambda = real.of(fraction(this.lambda, this.scale));
       matrix.forEach((row, i) => { row[i] = first.minus(row[i], [lambda, real.zero]); });
       const off = first.norm(first.product(this.inverse, first.product(matrix, this.values.map(z => [z]))));
       matrix.forEach((row, i) => { row[0] = first.minus([real.zero, real.zero], this.values[i]); });
@@ -3475,21 +3521,30 @@ var check_certificate = (() => {
              'no eigenvector is shown near the values');
     }
     widen() {
-      const {real, first, cosine} = this, sine = real.minus(real.one, real.times(cosine, cosine));
-      demand(sine[0] > 0n, 'too few bits for the angle');
-      const by = real.over(real.of(fraction(this.radius, this.scale)), sine)[1], both = [[-by, by], [-by, by]];
+      const {first} = this, both = this.error();
       this.values = this.values.map((z, i) => i ? first.plus(z, both) : z);
+      const {real} = this;
       this.eigenvalue = first.plus([real.of(fraction(this.lambda, this.scale)), real.zero], both);
       this.known = new Map([...this.points.map(p => [String(p), [real.zero, real.zero]]),
-                            ...this.turning.map((p, i) => [String(p), this.values[i]])]);
+                            ...this.own.map((p, i) => [String(p), this.values[i]])]);
+    }
+    error() {  // holds all numbers of modulus at most the radius
+      const {real, first} = this, radius = real.of(fraction(this.radius, this.scale));
+      if (first.is_real) return [[-radius[1], radius[1]], real.zero];
+      const cosine = real.cosine(this.k), sine = real.minus(real.one, real.times(cosine, cosine));
+      demand(sine[0] > 0n, 'too few bits for the angle');
+      const by = real.over(radius, sine)[1];
+      return [[-by, by], [-by, by]];
     }
     show_gap(k) {  // Lemma 53
-      const {real} = this, turns = new Turns(real, k), one = [real.one, real.zero];
+      const {real, values} = this, turns = new Turns(real, k), one = [real.one, real.zero];
+      const quotient = (matrix, vector) => {  // in the coordinates that vanish at the first place
+        const by = turns.inverse(vector[0]), parts = vector.map(x => turns.times(x, by));
+        return matrix.map((row, i) => row.map((x, j) => turns.minus(x, turns.times(parts[i], matrix[0][j]))).slice(1)).slice(1);
+      };
       let matrix = this.block(k, turns, k ? this.turning : this.points);
-      if (k < 2) {
-        const by = k ? turns.inverse(this.values[0]) : one, part = i => k ? turns.times(this.values[i], by) : one;
-        matrix = matrix.map((row, i) => row.map((x, j) => turns.minus(x, turns.times(part(i), matrix[0][j]))).slice(1)).slice(1);
-      }
+      if (!k) matrix = quotient(matrix, matrix.map(() => one));
+      if (k === this.k && matrix.length) matrix = quotient(matrix, k ? values : values.slice(1).map(z => turns.minus(z, values[0])));
       if (!matrix.length) return;
       const [, scale] = real.of(fraction(this.scale, this.lambda - this.radius));
       matrix = matrix.map(row => row.map(x => turns.scaled([scale, scale], x)));
@@ -3498,12 +3553,11 @@ var check_certificate = (() => {
         matrix = turns.product(matrix, matrix);
       }
     }
-    show_regular() {
+    map() {  // outwards
       const {sectors, lattice, reader, first, real, cosine, eigenvalue, known} = this;
       const fits = reader.peek() === 'fits' ? new Fits(lattice, rational(reader.read('fits', 1)[0])) : null;
-      const map = new SectorMap(sectors, lattice, ring_of(sectors, lattice, fits), {
+      return new SectorMap(sectors, lattice, ring_of(sectors, lattice, fits), {
         turns: first, letters: {cosine, share: real.zero}, lambda: eigenvalue, of_lambda: first.inverse(eigenvalue), known, near_one: null});
-      demand(map.is_regular(this.levels), 'the characteristic map is not shown to be regular and in a half plane');
     }
   }
   // ---- 5.12: vertices of all valences from one on -------------------------------------------------------------------
@@ -3777,11 +3831,12 @@ var check_certificate = (() => {
       return rows.map(row => row[rows.length]);
     }
   }
-  function check_vertex(reader, {sectors, surface, dilation}) {
+  function check_vertex(reader, {sectors, not_c1, surface, dilation}) {
     const lattice = lattice_mask(surface, dilation);
     check_turns(sectors, lattice);
     check_own_rules(sectors);
-    new (sectors.above ? Vertices : Vertex)(sectors, lattice, reader).check();
+    if (sectors.above) new Vertices(sectors, lattice, reader).check();
+    else (not_c1 ? Vertex.check_not_c1 : Vertex.check_c1)(sectors, lattice, reader);
   }
 
   // ---- 4.16: fits of least absolute deviations ----------------------------------------------------------------------
@@ -4075,7 +4130,8 @@ var check_certificate = (() => {
        subcert-check --surface '[[c00,c10,...],...]/D@first,first' --dilation '[2,0;0,2]'
                      --lower P/Q [--upper P/Q] FILE
        subcert-check --surface ... --vertex 'triangles:N;0,0=WEIGHT@0,0,0|WEIGHT@1,0~0' FILE    (and limits of almost
-                     all data are C^1 around a vertex of valence N, or with N+ of N and above; quads:N, dual:N)
+                     all data are C^1 around a vertex of valence N, or with N+ of N and above; quads:N, dual:N;
+                     --not-c1 RULES: are not, N alone)
        subcert-check --refinable '[[[a,b],[c,d]],...]/D@first' --dilation '[2]'
                      [--integral X0,X1,...] [--component C] --lower P/Q [--upper P/Q] FILE    (of the continuous
                      phi = sum_k A_k phi(M x - k), one up to a factor; or the one with this integral; of phi_C
@@ -4103,7 +4159,7 @@ a mask and no bounds: its integer shifts are stable
 prints VERIFIED <claim> (exit 0) or REJECTED <why, line n> (exit 1)
 exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
   function read_options(words) {
-    const names = ['mask', 'masks', 'order', 'arity', 'for', 'levels', 'each-point', 'recurrence', 'start', 'from', 'limit', 'within', 'surface', 'refinable', 'integral', 'component', 'vertex', 'dilation', 'vectors',
+    const names = ['mask', 'masks', 'order', 'arity', 'for', 'levels', 'each-point', 'recurrence', 'start', 'from', 'limit', 'within', 'surface', 'refinable', 'integral', 'component', 'vertex', 'not-c1', 'dilation', 'vectors',
                    'hermite', 'matrices', 'subradius', 'l1', 'contraction', 'lower', 'upper', 'exact', 'attains', 'logarithm'];
     const options = {};
     for (let i = 0; i < words.length; ++i) {
@@ -4121,17 +4177,17 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const of_levels = ['for', 'levels', 'each-point', 'within'].filter(name => has(name)).length <= 1 && (none('levels', 'each-point') || has('limit') || (has('lower') && none('upper'))) &&
       ['recurrence', 'start', 'from'].every(name => has(name) === has('from')) && (has('levels') || none('from')) &&
       (none('limit') || (has('mask', 'from') && some('lower', 'exact') && !rough && none('logarithm')));
-    const curve = of_levels && has('mask') !== has('masks') && has('arity') && none('surface', 'refinable', 'integral', 'component', 'vertex', 'dilation', 'matrices', 'subradius') &&
+    const curve = of_levels && has('mask') !== has('masks') && has('arity') && none('surface', 'refinable', 'integral', 'component', 'vertex', 'not-c1', 'dilation', 'matrices', 'subradius') &&
       (!follow || (has('lower') && !rough)) && has('masks') === has('order') &&
       (none('masks') || none('for', 'levels', 'each-point', 'within')) && !(follow && has('exact')) &&
       (!has('upper') || some('lower', 'for', 'exact', 'attains') || (rough && none('within'))) && !(rough && has('within')) &&
       !(has('exact') && (some('for', 'each-point', 'within') || (has('levels') && none('limit')))) && !(has('logarithm') && none('exact', 'attains')) &&
       !(has('attains') && none('within'));
     const surface = has('surface') !== has('refinable') && has('dilation') && some('lower', 'exact') && !rough &&
-      (has('refinable') || none('integral', 'component')) && (none('vertex') || has('surface', 'lower')) &&
+      (has('refinable') || none('integral', 'component')) && (none('vertex', 'not-c1') || has('surface', 'lower')) && !has('vertex', 'not-c1') &&
       none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'limit', 'arity', 'for', 'levels', 'each-point', 'within', 'matrices', 'subradius', 'attains', 'logarithm');
     const family = has('matrices') !== has('subradius') && some('lower', 'upper', 'exact') && !rough &&
-      none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'limit', 'arity', 'for', 'levels', 'each-point', 'within', 'surface', 'refinable', 'integral', 'component', 'vertex', 'dilation', 'attains', 'logarithm');
+      none('mask', 'masks', 'order', 'recurrence', 'start', 'from', 'limit', 'arity', 'for', 'levels', 'each-point', 'within', 'surface', 'refinable', 'integral', 'component', 'vertex', 'not-c1', 'dilation', 'attains', 'logarithm');
     const in_variables = has('vectors', 'dilation') && some('lower', 'upper') && ['lower', 'upper'].every(end => !has(end) || !sign(rational(options[end])));
     const of_dilation = in_variables && !has('lower', 'upper') && none(...names.filter(name => !['vectors', 'dilation', 'lower', 'upper'].includes(name)));
     const of_vectors = of_levels && has('vectors') !== has('hermite') && has('arity') && has('lower') !== has('upper') &&
@@ -4163,10 +4219,13 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
       claim.dilation = read_dilation(options.dilation);
       demand(claim.surface.dimension === claim.dilation.length, 'mask and dilation have different numbers of variables');
       claim.head = `${kind_of} ${text} ${options.dilation}`;
-      if (options.vertex !== undefined) {
+      for (const kind of ['vertex', 'not-c1']) {
+        if (options[kind] === undefined) continue;
         demand(less(1n, claim.lower), 'smoothness around a vertex needs limits with an exponent above 1');
-        claim.sectors = read_sectors(options.vertex);
-        claim.head += ` vertex=${options.vertex}`;
+        claim.sectors = read_sectors(options[kind]);
+        claim.not_c1 = kind === 'not-c1';
+        demand(!claim.not_c1 || !claim.sectors.above, 'what is not C^1 is so around one valence');
+        claim.head += ` ${kind}=${options[kind]}`;
       }
       const functions = claim.surface.components / (claim.surface.root ? 2 : 1);
       if (options.integral !== undefined) {
@@ -4291,7 +4350,8 @@ exit 64: wrong usage, 65: malformed MATRICES, 66: missing file`;
     const one = options.component === undefined ? '' : `component ${options.component} of `;
     const mask = options.refinable === undefined ? options.surface : `${one}the refinable functions of ${options.refinable}`;
     const subject = of_family ? of_family.file : mask !== undefined ? `${mask} with dilation ${options.dilation}${options.integral === undefined ? '' : ` and integral ${options.integral}`}` +
-        (options.vertex === undefined ? '' : `, and C^1 limits of almost all data around ${options.vertex}`)
+        (options.vertex === undefined ? '' : `, and C^1 limits of almost all data around ${options.vertex}`) +
+        (options['not-c1'] === undefined ? '' : `, and no C^1 limits of almost all data around ${options['not-c1']}`)
       : `${options.mask || options.masks} with arity ${options.arity}`;
     const of_list = list && (list.period.length ? ` for levels with ${options.order}` : text_of_order(options));
     return `${ends} of ${subject}` +

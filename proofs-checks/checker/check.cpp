@@ -49,7 +49,8 @@ class Checker {
       read_l1();
     else
       read_proof();
-    if (claim_.vertex) check_vertex(*claim_.mask, *claim_.dilation, *claim_.vertex, reader_, arithmetic_);
+    if (claim_.vertex)
+      check_vertex(*claim_.mask, *claim_.dilation, *claim_.vertex, claim_.not_c1, reader_, arithmetic_);
     reader_.take("end", 0, 0);
     require(reader_.at_end(), "text after 'end'");
   }

@@ -31,7 +31,8 @@ const char* const usage =
     "                     --lower P/Q [--upper P/Q] FILE\n"
     "       subcert-check --surface ... --vertex 'triangles:N;0,0=WEIGHT@0,0,0|WEIGHT@1,0~0' FILE    (and limits of "
     "almost\n"
-    "                     all data are C^1 around a vertex of valence N, or with N+ of N and above; quads:N, dual:N)\n"
+    "                     all data are C^1 around a vertex of valence N, or with N+ of N and above; quads:N, dual:N;\n"
+    "                     --not-c1 RULES: are not, N alone)\n"
     "       subcert-check --refinable '[[[a,b],[c,d]],...]/D@first' --dilation '[2]'\n"
     "                     [--integral X0,X1,...] [--component C] --lower P/Q [--upper P/Q] FILE    (of the continuous\n"
     "                     phi = sum_k A_k phi(M x - k), one up to a factor; or the one with this integral; of phi_C\n"
@@ -71,11 +72,12 @@ using Options = std::map<std::string, std::optional<std::string>>;
 
 Options read_options(const std::vector<std::string>& arguments) {
   Options given;
-  for (const char* name : {"--mask",    "--arity",     "--for",      "--levels",    "--each-point", "--recurrence",
-                           "--start",   "--from",      "--limit",    "--masks",     "--order",      "--within",
-                           "--surface", "--refinable", "--integral", "--component", "--vertex",     "--dilation",
-                           "--vectors", "--hermite",   "--matrices", "--subradius", "--l1",         "--contraction",
-                           "--lower",   "--upper",     "--exact",    "--attains",   "--logarithm",  "FILE"})
+  for (const char* name :
+       {"--mask",     "--arity",     "--for",    "--levels",      "--each-point", "--recurrence", "--start",
+        "--from",     "--limit",     "--masks",  "--order",       "--within",     "--surface",    "--refinable",
+        "--integral", "--component", "--vertex", "--not-c1",      "--dilation",   "--vectors",    "--hermite",
+        "--matrices", "--subradius", "--l1",     "--contraction", "--lower",      "--upper",      "--exact",
+        "--attains",  "--logarithm", "FILE"})
     given[name];
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string name = arguments[i].starts_with("--") ? arguments[i++] : "FILE";
@@ -212,15 +214,15 @@ Claim read_claim(const std::vector<std::string>& arguments) {
                                : values,
              &rounding = given["--within"], &scheme = given["--surface"], &refinable = given["--refinable"],
              &integral = given["--integral"], &component = given["--component"],
-             &surface = refinable ? refinable : scheme, &dilation = given["--dilation"], &vertex = given["--vertex"],
-             &radius = given["--matrices"], &subradius = given["--subradius"], &vectors = given["--vectors"],
-             &hermite = given["--hermite"], &of_matrices = vectors ? vectors : hermite, &masks = given["--masks"],
-             &order = given["--order"], &recurrence = given["--recurrence"], &start = given["--start"],
-             &from = given["--from"], &limit = given["--limit"], &one = mask ? mask : masks,
-             &curve = one ? one : of_matrices, &matrices = subradius ? subradius : radius, &lower = given["--lower"],
-             &upper = given["--upper"], &exact = given["--exact"], &attains = given["--attains"],
-             &logarithm = given["--logarithm"], &l1 = given["--l1"], &contraction = given["--contraction"],
-             &file = given["FILE"];
+             &surface = refinable ? refinable : scheme, &dilation = given["--dilation"], &smooth = given["--vertex"],
+             &broken = given["--not-c1"], &vertex = smooth ? smooth : broken, &radius = given["--matrices"],
+             &subradius = given["--subradius"], &vectors = given["--vectors"], &hermite = given["--hermite"],
+             &of_matrices = vectors ? vectors : hermite, &masks = given["--masks"], &order = given["--order"],
+             &recurrence = given["--recurrence"], &start = given["--start"], &from = given["--from"],
+             &limit = given["--limit"], &one = mask ? mask : masks, &curve = one ? one : of_matrices,
+             &matrices = subradius ? subradius : radius, &lower = given["--lower"], &upper = given["--upper"],
+             &exact = given["--exact"], &attains = given["--attains"], &logarithm = given["--logarithm"],
+             &l1 = given["--l1"], &contraction = given["--contraction"], &file = given["FILE"];
   if (l1 || contraction) return read_l1_claim(given);
   const bool rough = upper && upper->starts_with('C');
   const bool of_values = range && !limit;  // of each value, or of all choices of them
@@ -241,7 +243,7 @@ Claim read_claim(const std::vector<std::string>& arguments) {
               !(exact && (of_values || rounding || follow_each_other)) && (!attains || rounding) &&
               (exact || attains || lower || (upper ? matrices || of_values || rough || of_matrices : one && !limit)) &&
               (!rough || (one && !rounding)) && (!logarithm || (one && (exact || attains))) &&
-              ((!component && !integral) || refinable) && (!vertex || (scheme && lower)),
+              ((!component && !integral) || refinable) && (!vertex || (scheme && lower)) && !(smooth && broken),
           usage);
   Claim claim;
   claim.file = *file;
@@ -275,8 +277,11 @@ Claim read_claim(const std::vector<std::string>& arguments) {
   if (vertex) {
     require(*claim.lower > 1, "smoothness around a vertex needs limits with an exponent above 1");
     claim.vertex = parse_sector_rules(*vertex);
-    claim.head += " vertex=" + *vertex;
-    claim.subject += ", and C^1 limits of almost all data around " + *vertex;
+    claim.not_c1 = broken.has_value();
+    require(!claim.not_c1 || !claim.vertex->and_above, "what is not C^1 is so around one valence");
+    claim.head += (claim.not_c1 ? " not-c1=" : " vertex=") + *vertex;
+    claim.subject += std::string(", and ") + (claim.not_c1 ? "no " : "") + "C^1 limits of almost all data around " +
+                     *vertex;
   }
   if (integral) {
     claim.integral.emplace();

@@ -39,6 +39,7 @@ struct Claim {
   std::optional<Rounding> rounding;
   std::optional<Dilation> dilation;
   std::optional<SectorRules> vertex;     // of numbers with a dilation: limits are C^1 there as well
+  bool not_c1 = false;                   // or they are not, there
   std::optional<Rationals> integral;     // of matrices: of the only functions that have it
   std::optional<std::size_t> component;  // of matrices: of one function alone
   mpz_class root = 0;                    // of matrices: R where they hold sqrt(R), and `mask` is the doubled one

@@ -121,10 +121,30 @@ TEST_CASE("certificates by affine fits, where masks have signs, and their short 
   }
 }
 
-TEST_CASE("no certificate where smoothness around a vertex is not proved") {
+TEST_CASE("certificates of limits that are not smooth, which prove nothing of other rules, nor smoothness") {
+  for (const auto& [scheme, valence] : std::vector<std::pair<std::string, long>>{{"butterfly", 8}, {"butterfly", 12}}) {
+    CAPTURE(scheme, valence);
+    const SectorRules rules = vertex_rules(scheme, valence);
+    const RegularPart regular = regular_part(rules, {Deadline::in(60)});
+    const VertexSmoothness smoothness = vertex_smoothness(rules, regular);
+    REQUIRE(smoothness.c1.truth == Truth::no);
+    REQUIRE(smoothness.evidence);
+    CHECK(smoothness.evidence->frequency == 2);
+    const Certificate certificate = vertex_certificate(rules, regularity_around(rules.mask, false, {Deadline::in(60)}),
+                                                       smoothness);
+    const std::string subject = testing::subject_of(rules.mask), text = certificate.text();
+    CHECK(says_its_claim(certificate));
+    CHECK(proves(subject + " --not-c1 '" + rules_text(rules) + "'", "11/10", "", text));
+    CHECK_FALSE(proves(subject + " --vertex '" + rules_text(rules) + "'", "11/10", "", text));
+    CHECK_FALSE(
+        proves(subject + " --not-c1 '" + rules_text(vertex_rules(scheme, valence + 1)) + "'", "11/10", "", text));
+  }
+}
+
+TEST_CASE("no certificate where smoothness around a vertex is not decided, or several eigenvalues lead") {
   const Made midedge("midedge", {4});
   CHECK_THROWS_AS(midedge.of(3), Error);           // a Jordan block
-  CHECK_THROWS_AS(Made("butterfly", {8}), Error);  // refuted
+  CHECK_THROWS_AS(Made("butterfly", {3}), Error);  // refuted, with a Jordan block
 }
 
 }  // namespace subcert::testing

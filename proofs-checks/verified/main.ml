@@ -28,7 +28,7 @@ let usage =
    exponents, and about surfaces, refinable functions, several variables and least absolute deviations, for which subcert-check is there\n\
    exit 64: wrong usage, 65: malformed MATRICES, 66: missing file"
 
-let known = [ "--mask"; "--arity"; "--for"; "--levels"; "--each-point"; "--recurrence"; "--start"; "--from"; "--limit"; "--masks"; "--order"; "--within"; "--surface"; "--refinable"; "--integral"; "--component"; "--vertex"; "--vectors"; "--hermite"; "--dilation"; "--matrices"; "--subradius"; "--l1"; "--contraction"; "--lower"; "--upper"; "--exact"; "--attains"; "--logarithm"; "--theorem" ]
+let known = [ "--mask"; "--arity"; "--for"; "--levels"; "--each-point"; "--recurrence"; "--start"; "--from"; "--limit"; "--masks"; "--order"; "--within"; "--surface"; "--refinable"; "--integral"; "--component"; "--vertex"; "--not-c1"; "--vectors"; "--hermite"; "--dilation"; "--matrices"; "--subradius"; "--l1"; "--contraction"; "--lower"; "--upper"; "--exact"; "--attains"; "--logarithm"; "--theorem" ]
 
 let rec options given = function
   | [] -> given

@@ -3,6 +3,11 @@
 #include <algorithm>
 
 namespace subcert_check {
+namespace {
+
+bool has_sign(const Interval& x, bool positive) { return positive ? x.low > 0 : x.high < 0; }
+
+}  // namespace
 
 SectorRule rule_at(const LatticeMask& mask, const SectorRules& rules, const Point& point) {
   if (const auto own = rules.rules.find(point); own != rules.rules.end()) return own->second;
@@ -75,7 +80,7 @@ Turning SectorMap::value_at(const Point& point) {
     Turning sum;
     for (const SectorTerm& term : rule_at(mask_, rules_, at.point)) {
       const Turning value = turned(value_at(term.at.point), term.at.turn);  // of all data, whether they turn
-      if (!term.frequency || *term.frequency == 1)
+      if (!term.frequency || *term.frequency == frequency_.number())
         sum = sum + frequency_.scaled(weight_at(term, at_, intervals_), value);
     }
     if (near_one_) sum.a = sum.a + near_one_->decay;
@@ -105,27 +110,33 @@ Interval SectorMap::ahead(const Turning& z, std::size_t level) const {
 bool SectorMap::is_ahead_on(const Point& corner, std::size_t level) {
   std::vector<Interval> data;
   for (const Turning& z : data_on(ring_.window, corner, {})) data.push_back(ahead(z, level));
+  return is_positive(data);
+}
+
+/// Whether limits of these data on a window are positive on its square.
+bool SectorMap::is_positive(const std::vector<Interval>& data) const {
   if (ring_.fits) return AffineFit(*ring_.fits, data, intervals_).least() > 0;
   return std::ranges::all_of(data, [](const Interval& x) { return x.low > 0; });
 }
 
-bool SectorMap::is_regular_by_fits(const Point& corner) {
+bool SectorMap::has_jacobian_by_fits(const Point& corner, bool positive) {
   std::vector<Interval> parts[2];
   for (const Turning& z : data_on(ring_.window, corner, {})) {
     parts[0].push_back(z.a);
     parts[1].push_back(z.b);
   }
   const AffineFit a(*ring_.fits, parts[0], intervals_), b(*ring_.fits, parts[1], intervals_);
-  return (intervals_.times(a.slope(0), b.slope(1)) - intervals_.times(b.slope(0), a.slope(1))).low > 0;
+  return has_sign(intervals_.times(a.slope(0), b.slope(1)) - intervals_.times(b.slope(0), a.slope(1)), positive);
 }
 
-bool SectorMap::is_regular_on(const Point& corner) {
-  if (ring_.fits) return is_regular_by_fits(corner);
+bool SectorMap::has_jacobian(const Point& corner, bool positive) {
+  if (ring_.fits) return has_jacobian_by_fits(corner, positive);
   const std::vector<Turning> along_x = data_on(ring_.differences[0], corner, {1, 0, 0}),
                              along_y = data_on(ring_.differences[1], corner, {0, 1, 0});
   return std::ranges::all_of(along_x, [&](const Turning& u) {
-    return std::ranges::all_of(
-        along_y, [&](const Turning& v) { return (intervals_.times(u.a, v.b) - intervals_.times(u.b, v.a)).low > 0; });
+    return std::ranges::all_of(along_y, [&](const Turning& v) {
+      return has_sign(intervals_.times(u.a, v.b) - intervals_.times(u.b, v.a), positive);
+    });
   });
 }
 
@@ -133,7 +144,7 @@ bool SectorMap::is_regular_on(const Point& corner) {
 bool SectorMap::shows(const Point& corner, std::size_t level, std::size_t cuts, bool ahead) {
   arithmetic_.spend(1000);
   ahead = ahead || is_ahead_on(corner, level);
-  if (ahead && is_regular_on(corner)) return true;
+  if (ahead && has_jacobian(corner, true)) return true;
   if (level == cuts) return false;
   const std::int64_t m = mask_.arity;
   for (std::int64_t x = 0; x < m; ++x)
@@ -154,6 +165,20 @@ bool SectorMap::is_regular(std::size_t cuts) {
         value_at({x, y, 0});
       else if (!shows({x, y, 0}, 0, cuts, false))
         return false;
+  return true;
+}
+
+/// On each square some linear form of the map is positive: that of its datum at the corner.
+bool SectorMap::has_no_zero_at(std::int64_t radius) {
+  const auto has_no_zero_on = [&](const Point& corner) {
+    arithmetic_.spend(1000);
+    const Turning at = value_at(corner);
+    std::vector<Interval> data;
+    for (const Turning& z : data_on(ring_.window, corner, {})) data.push_back(frequency_.inner(at, z));
+    return is_positive(data);
+  };
+  for (std::int64_t k = radius; k >= 0; --k)
+    if (!has_no_zero_on({radius, k, 0}) || !has_no_zero_on({k, radius, 0})) return false;
   return true;
 }
 

@@ -44,6 +44,10 @@ class SectorMap {
   /// Whether the Jacobian is positive and the map in a half plane, on all squares of the ring or on their parts after
   /// so many cuts.
   bool is_regular(std::size_t cuts);
+  /// Whether the Jacobian is positive on a square of the ring or further out, or negative. Domain: w is not real.
+  bool has_jacobian(const Point& corner, bool positive);
+  /// Whether the map has no zero on the squares whose corners have this largest coordinate. Domain: at least r.
+  bool has_no_zero_at(std::int64_t radius);
 
  private:
   Turning turned(const Turning& x, long turns) const;
@@ -51,8 +55,8 @@ class SectorMap {
   std::vector<Turning> data_on(const std::set<Point>& window, const Point& corner, const Point& step);
   Interval ahead(const Turning& z, std::size_t level) const;
   bool is_ahead_on(const Point& corner, std::size_t level);
-  bool is_regular_by_fits(const Point& corner);
-  bool is_regular_on(const Point& corner);
+  bool is_positive(const std::vector<Interval>& data) const;
+  bool has_jacobian_by_fits(const Point& corner, bool positive);
   bool shows(const Point& corner, std::size_t level, std::size_t cuts, bool ahead);
 
   const LatticeMask& mask_;

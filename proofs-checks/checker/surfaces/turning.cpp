@@ -79,6 +79,11 @@ Turning Frequency::times(const Turning& x, const Turning& y) const {
           intervals_.times(x.a, y.b) + intervals_.times(x.b, y.a) + intervals_.times(twice_cosine_, bb)};
 }
 
+Interval Frequency::inner(const Turning& x, const Turning& y) const {
+  const Interval parts = intervals_.times(x.a, y.a) + intervals_.times(x.b, y.b);
+  return parts + parts + intervals_.times(twice_cosine_, intervals_.times(x.a, y.b) + intervals_.times(x.b, y.a));
+}
+
 Turning Frequency::scaled(const Interval& factor, const Turning& x) const {
   return {intervals_.times(factor, x.a), intervals_.times(factor, x.b)};
 }

@@ -54,7 +54,13 @@ class Frequency {
   /// w = exp(i t) for all t with cosines in the interval.
   Frequency(const Interval& cosine, const Intervals& intervals);
 
+  /// k; 1 for w of an interval.
+  std::size_t number() const { return static_cast<std::size_t>(k_); }
+  bool is_real() const { return k_ == 0 || 2 * k_ == n_; }
+
   Turning times(const Turning& x, const Turning& y) const;
+  /// Twice the real part of x times the conjugate of y.
+  Interval inner(const Turning& x, const Turning& y) const;
   Turning scaled(const Interval& factor, const Turning& x) const;
   /// Rejects a number that may be 0.
   Turning inverse(const Turning& x) const;

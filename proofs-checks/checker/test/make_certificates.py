@@ -23,6 +23,7 @@ import graph_cases
 import l1_cases
 import level_cases
 import make_surfaces
+import not_c1_cases
 import single_cases
 import stability_cases
 import subradius_cases
@@ -696,7 +697,7 @@ def main(out):
     modules = edge_cases, frequency_cases, variant_cases, graph_cases, cycle_cases, subradius_cases, subradius_exact_cases, l1_cases, vector_cases, field_cases, convergence_cases, vector_range_cases, stability_cases, attains_cases, level_cases, vector_list_cases
     for name, case in [*attains_cases.accepted(sys.modules[__name__]), *field_cases.accepted_by(sys.modules[__name__])]:
         write(name, case)
-    for name, case in [*vertex_cases.accepted(), *vertex_variant_cases.accepted(), *vertices_cases.accepted(), *vertex_fit_cases.accepted()]:
+    for name, case in [*vertex_cases.accepted(), *vertex_variant_cases.accepted(), *vertices_cases.accepted(), *vertex_fit_cases.accepted(), *not_c1_cases.accepted()]:
         write(name, case)
     for name, family in [case for module in modules for case in module.MATRICES]:
         write_matrices(name, family)

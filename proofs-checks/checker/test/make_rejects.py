@@ -20,6 +20,7 @@ import l1_cases
 import level_cases
 import make_certificates
 import make_surfaces
+import not_c1_cases
 import single_cases
 import stability_cases
 import subradius_cases
@@ -706,7 +707,7 @@ for case, options, lines, reason in variant_cases.WRITTEN + subradius_exact_case
 for case, (options, lines), reason in [*attains_cases.rejected(make_certificates), *field_cases.rejected_by(make_certificates)]:
     (out / f"{case}.cert").write_text("\n".join(lines) + "\n")
     index.append(f"{case} {' '.join(options)} | {reason}")
-for case, options, lines, reason in [*vertex_cases.rejected(), *vertex_variant_cases.rejected(), *vertices_cases.rejected(), *vertex_fit_cases.rejected()]:
+for case, options, lines, reason in [*vertex_cases.rejected(), *vertex_variant_cases.rejected(), *vertices_cases.rejected(), *vertex_fit_cases.rejected(), *not_c1_cases.rejected()]:
     (out / f"{case}.cert").write_text("\n".join(lines) + "\n")
     index.append(f"{case} {options} | {reason}")
 (out / "claims.txt").write_text("\n".join(index) + "\n")

@@ -11,6 +11,7 @@ from fractions import Fraction
 from pathlib import Path
 
 import convergence_cases
+import not_c1_cases
 import vertex_cases
 import vertices_cases
 
@@ -240,7 +241,7 @@ def usage_cases(directory, scratch):
              f"matrices 1 2\nrow 1/{2**6001} 0\nrow 0 1/{2**3999 + 1}\n"]
     for name, text in zip(FILES, texts):
         Path(name.replace("FOLDER", scratch)).write_text(text)
-    for code, arguments in [*USAGE, *convergence_cases.usage(), *vertex_cases.usage(), *vertices_cases.usage()]:
+    for code, arguments in [*USAGE, *convergence_cases.usage(), *vertex_cases.usage(), *vertices_cases.usage(), *not_c1_cases.usage()]:
         yield arguments, arguments.replace("FOLDER", scratch).split(), lambda result, code=code: (
             result[0] == code and bool(result[2] if code else result[1]) and (code == 0 or "VERIFIED" not in result[1])
             and "internal error" not in result[2])
@@ -250,7 +251,7 @@ def printed(arguments):
     """What a checker prints where it accepts a claim."""
     values = dict(zip(arguments[::2], arguments[1::2]))
     lower, upper, within = (values.get(f"--{option}") for option in ("lower", "upper", "within"))
-    levels, each_point, vertex = (values.pop(name, None) for name in ("--levels", "--each-point", "--vertex"))
+    levels, each_point, vertex, broken = (values.pop(name, None) for name in ("--levels", "--each-point", "--vertex", "--not-c1"))
     order, step, start, level, limit = (values.pop(name, None) for name in ("--order", "--recurrence", "--start", "--from", "--limit"))
     range_ = levels or values.get("--for")
     exact, logarithm, component, integral = (values.pop(name, None) for name in ("--exact", "--logarithm", "--component", "--integral"))
@@ -264,6 +265,7 @@ def printed(arguments):
     subject = f"the refinable functions of {subject}" if "--refinable" in values else subject
     subject = f"{subject} and integral {integral}" if integral else subject
     subject = f"{subject}, and C^1 limits of almost all data around {vertex}" if vertex else subject
+    subject = f"{subject}, and no C^1 limits of almost all data around {broken}" if broken else subject
     subject = f"component {component} of {subject}" if component else subject
     what = "least " + what if "--masks" in values and upper and not order.startswith("period") else what
     relation = "<" if range_ and not limit else "<="

@@ -45,13 +45,14 @@ def parsed(mask):
 def lines_of(name, rules, **more):
     mask, dilation, body = SURFACES[name]
     arity = int(dilation[1])
-    return ["subcert-certificate 3", f"surface {mask} {dilation} vertex={rules}", "bounds 11/10 -", *body.split("; "),
+    kind = "not-c1" if "refuted" in more else "vertex"
+    return ["subcert-certificate 3", f"surface {mask} {dilation} {kind}={rules}", "bounds 11/10 -", *body.split("; "),
             *vertex_writer.vertex_lines(parsed(mask), arity, rules, **more), "end"]
 
 
-def options_of(name, rules):
+def options_of(name, rules, kind="vertex"):
     mask, dilation, _ = SURFACES[name]
-    return f"--surface {mask} --dilation {dilation} --lower 11/10 --vertex {rules}"
+    return f"--surface {mask} --dilation {dilation} --lower 11/10 --{kind} {rules}"
 
 
 # the rule of the mask itself for a point next to the vertex
@@ -122,7 +123,7 @@ def rejected():
     yield case("vertex-lambda-negative", "doo-sabin", ds, small, edits=[(vertex_line, r"\1 \2 -\3 \4")])
     yield case("vertex-lambda-1", "doo-sabin", ds, small, edits=[(vertex_line, rf"\1 \2 {2**64} 0")])
     yield case("vertex-lambda-off", "doo-sabin", ds, near, edits=[(vertex_line, rf"\1 \2 {2**63 + 2**21} \4")])
-    yield case("vertex-radius-negative", "doo-sabin", ds, small, edits=[(vertex_line, r"\1 \2 \3 -\4")])
+    yield case("vertex-radius-negative", "doo-sabin", ds, "the radius is below 0", edits=[(vertex_line, r"\1 \2 \3 -\4")])
     yield case("vertex-radius-0", "loop", loop(5), near, edits=[(vertex_line, r"\1 \2 \3 0")])
     yield case("vertex-radius-large", "doo-sabin", ds, near, edits=[(vertex_line, rf"\1 \2 \3 {2**62}")])
     yield case("vertex-value", "loop", loop(5), near, edits=[(r"^(values \S+ \S+) \S+", r"\1 5")])

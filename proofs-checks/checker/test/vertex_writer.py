@@ -79,11 +79,11 @@ class Rules:
         return sorted(self.closure(p for p in known if p in self.closure(term[0] for term in self.rule_at(p))))
 
 
-def cosine(n):
-    """cos(2 pi/n), up to 10^-60."""
+def cosine(n, k=1):
+    """cos(2 pi k/n), up to 10^-60."""
     def arctangent(k):
         return sum(Fraction((-1) ** j, (2 * j + 1) * k ** (2 * j + 1)) for j in range(50))
-    x = Fraction(round(2 * 4 * (4 * arctangent(5) - arctangent(239)) / n * 2 ** 220), 2 ** 220)
+    x = Fraction(round(2 * 4 * (4 * arctangent(5) - arctangent(239)) * k / n * 2 ** 220), 2 ** 220)
     total, term = Fraction(0), Fraction(1)
     for j in range(60):
         total += term
@@ -92,10 +92,12 @@ def cosine(n):
 
 
 class Numbers:
-    """a + b w as pairs, w = exp(2 pi i/n)."""
+    """a + b w as pairs, w = exp(2 pi i k/n); b = 0 where w is real."""
 
-    def __init__(self, n):
-        self.c, self.w = cosine(n), cmath.exp(2j * math.pi / n)
+    def __init__(self, n, k=1):
+        self.k, self.of_weights = k, cosine(n)
+        self.c, self.w = (self.of_weights, cmath.exp(2j * math.pi / n)) if k == 1 else (cosine(n, k), cmath.exp(2j * math.pi * k / n))
+        self.is_real = 2 * k % n == 0
 
     def times(self, x, y):
         bb = x[1] * y[1]
@@ -106,6 +108,8 @@ class Numbers:
         return tuple(Fraction(round(part * 2 ** 160), 2 ** 160) for part in x)
 
     def turned(self, x, turns, n):
+        if self.is_real:
+            return x if self.k == 0 or turns % 2 == 0 else (-x[0], x[1])
         if 2 * turns > n:
             turns -= n
         for _ in range(abs(turns)):
@@ -116,6 +120,8 @@ class Numbers:
         return float(x[0]) + float(x[1]) * self.w
 
     def pair(self, z):
+        if self.is_real:
+            return z.real, 0
         b = z.imag / self.w.imag
         return z.real - b * self.w.real, b
 
@@ -124,9 +130,9 @@ def block(rules, points, numbers):
     matrix = [[(Fraction(0), Fraction(0)) for _ in points] for _ in points]
     for i, point in enumerate(points):
         for at, turn, is_ring, weight in rules.rule_at(point):
-            if rules.is_vertex(at) or (is_ring and turn != 1):
+            if (rules.is_vertex(at) and numbers.k) or (is_ring and turn != numbers.k):
                 continue
-            value = sum(factor * numbers.c ** k for k, factor in weight.items())
+            value = sum(factor * numbers.of_weights ** k for k, factor in weight.items())
             entry = numbers.turned((value, Fraction(0)), 0 if is_ring else turn, rules.n)
             j = points.index(at)
             matrix[i][j] = numbers.rounded((matrix[i][j][0] + entry[0], matrix[i][j][1] + entry[1]))
@@ -146,15 +152,35 @@ def inverse_of(matrix):
     return [row[n:] for row in rows]
 
 
-def eigenpair(matrix, numbers, first):
-    """lambda, z with z_0 = first, and an approximate inverse of the derivative of (A - lambda) z."""
-    n = len(matrix)
-    rough = [[numbers.value(x) for x in row] for row in matrix]
-    vector = [complex(1, k / 7) for k in range(n)]
+def rough_eigenvector(rough):
+    """Of the largest eigenvalue."""
+    vector = [complex(1, k / 7) for k in range(len(rough))]
     for _ in range(3000):
         vector = [sum(x * v for x, v in zip(row, vector)) for row in rough]
         size = max(map(abs, vector))
         vector = [v / size for v in vector]
+    return vector
+
+
+def of_differences(rough):
+    """Of a matrix that keeps constants, on the differences to the first place."""
+    return [[x - y for x, y in zip(row[1:], rough[0][1:])] for row in rough[1:]]
+
+
+def with_constants(rough, differences):
+    """The eigenvector that has these differences."""
+    value = sum(x * v for x, v in zip(of_differences(rough)[0], differences)) / differences[0]
+    constant = sum(x * v for x, v in zip(rough[0][1:], differences)) / (value - 1)
+    return [constant, *(v + constant for v in differences)]
+
+
+def eigenpair(matrix, numbers, first):
+    """lambda, z with z_0 = first, and an approximate inverse of the derivative of (A - lambda) z."""
+    n = len(matrix)
+    rough = [[numbers.value(x) for x in row] for row in matrix]
+    vector = rough_eigenvector(rough if numbers.k else of_differences(rough))
+    if not numbers.k:
+        vector = with_constants(rough, vector)
     vector = [v * numbers.value(first) / vector[0] for v in vector]
     value = sum(x * v for x, v in zip(rough[0], vector)) / vector[0]
     lam, z = Fraction(value.real), [first] + [tuple(map(Fraction, numbers.pair(v))) for v in vector[1:]]
@@ -170,15 +196,19 @@ def eigenpair(matrix, numbers, first):
     return lam, z, inverse
 
 
-def vertex_lines(mask, arity, text, levels=1, radius_bits=44, points=None, first=None):
+def vertex_lines(mask, arity, text, levels=1, radius_bits=44, points=None, first=None, refuted=None):
+    """`refuted`: the frequency, and the lines behind the rows, where what is proved is that limits are not C^1."""
     rules = Rules(mask, arity, text)
-    numbers = Numbers(rules.n)
+    k, ends = refuted or (1, [])
+    numbers = Numbers(rules.n, k)
     points = points or rules.closed_set()
-    turning = [p for p in points if not rules.is_vertex(p)]
-    first = first or (1, int(rules.lattice == "dual"))
+    points = points if k else sorted(points, key=rules.is_vertex)  # where the value may be 0
+    turning = [p for p in points if k == 0 or not rules.is_vertex(p)]
+    first = first or (1, int(rules.lattice == "dual" and not numbers.is_real))
     lam, z, inverse = eigenpair(block(rules, turning, numbers), numbers, tuple(map(Fraction, first)))
     def pairs(values, bits):
         return " ".join(str(round(part * 2 ** bits)) for value in values for part in value)
-    lines = [f"vertex {BITS} {XBITS} {levels} {round(lam * 2 ** XBITS)} {2 ** (XBITS - radius_bits)}",
+    place = f"{round(lam * 2 ** XBITS)} {2 ** (XBITS - radius_bits)}"
+    lines = [f"not-c1 {k} {BITS} {XBITS} {place}" if refuted else f"vertex {BITS} {XBITS} {levels} {place}",
              "points " + " ".join(",".join(map(str, p)) for p in points), "values " + pairs(z, XBITS), f"inverse {IBITS}"]
-    return lines + [f"row {i} {pairs(row, IBITS)}" for i, row in enumerate(inverse)]
+    return [*lines, *(f"row {i} {pairs(row, IBITS)}" for i, row in enumerate(inverse)), *ends]

@@ -1104,8 +1104,8 @@ let check arguments =
       let masks = get "--masks" and arity = get "--arity" and order = get "--order" in
       let m = read_masks masks arity in
       match read_order_of_masks order m with
-       | Sequences _ when has "--upper" && has "--lower" && rough = None && only [ "--masks"; "--arity"; "--order"; "--upper" ] ->
-           raise (Sections.Undecided undecided)
+      | Sequences _ when has "--upper" && has "--lower" && rough = None && only [ "--masks"; "--arity"; "--order"; "--upper" ] ->
+          raise (Sections.Undecided undecided)
       | Sequences sequences ->
           require (has "--lower" && only [ "--masks"; "--arity"; "--order" ]) usage;
           levels masks arity order m sequences (Option.get (bound "--lower")) (get "FILE")

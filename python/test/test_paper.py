@@ -126,7 +126,7 @@ def test_representations_are_short():
         (lambda s: subcert.refine(s, [1, 2, 3], levels="x"), "levels: expected an integer"),
         (lambda s: subcert.smooth([1.0] * 9, bands="x"), "bands: expected a number"),
         (lambda s: subcert.smooth([1.0] * 9, noise="x"), "noise: expected a number"),
-        (lambda s: subcert.statements(5), "wanted: expected a list of texts"),
+        (lambda s: subcert.statements(5), "expected ids of statements or papers, one after another, got 5"),
         (lambda s: subcert.reproduce(3), "paper: expected a text"),
         (lambda s: subcert.check(3), "expected TOML"),
         (lambda s: subcert.verify(3), "expected the name of a file"),

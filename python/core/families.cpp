@@ -11,6 +11,7 @@
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/proofs-checks/properties/mask_list_file.hpp>
 #include <subcert/reports/facts/exponent_formula.hpp>
+#include <subcert/reports/facts/range_summary.hpp>
 #include <subcert/schemes/parametric_specification.hpp>
 #include <subcert/schemes/plain_text.hpp>
 
@@ -48,6 +49,7 @@ struct RangeEvidence {
   RangeProperty property;
   PropertyRange range;
   Rational width;
+  std::string name;  ///< of the property
 };
 
 py::dict range_dict(const RangeEvidence& evidence) {
@@ -59,7 +61,8 @@ py::dict range_dict(const RangeEvidence& evidence) {
     ends.append(py::make_tuple(Enclosure{end.low, end.high}, end.polynomial, end.word, end.holds));
   for (const SpecialValue& value : evidence.range.special) special.append(special_dict(value));
   return py::dict("sum_rules"_a = evidence.range.sum_rules, "pieces"_a = pieces, "ends"_a = ends, "special"_a = special,
-                  "complete"_a = evidence.range.complete);
+                  "complete"_a = evidence.range.complete,
+                  "summary"_a = facts::range_summary(evidence.range, evidence.scheme, evidence.name).value_or(""));
 }
 
 std::shared_ptr<RangeEvidence> range(const ParametricScheme& scheme, const std::string& text, const Rational& low,
@@ -74,7 +77,7 @@ std::shared_ptr<RangeEvidence> range(const ParametricScheme& scheme, const std::
   return interruptible(progress, [&] {
     return std::make_shared<RangeEvidence>(RangeEvidence{
         scheme, *property, property_range(scheme.mask, *property, low, high, {width, jobs, {Deadline::in(seconds)}}),
-        width});
+        width, text});
   });
 }
 

@@ -7,6 +7,7 @@
 #include <subcert/analysis/symbol/support/error.hpp>
 #include <subcert/proofs-checks/certificates/certificate.hpp>
 #include <subcert/proofs-checks/certificates/scheme_regularity.hpp>
+#include <subcert/reports/facts/exponent_formula.hpp>
 #include <subcert/reports/facts/regularity_facts.hpp>
 #include <subcert/schemes/specification.hpp>
 
@@ -133,7 +134,11 @@ py::dict jsr_dict(const RadiusEvidence& evidence) {
   std::vector<int> word = evidence.radius.product.word;
   if (!evidence.letters.empty())
     for (int& letter : word) letter = evidence.letters[static_cast<std::size_t>(letter)];
-  return radius_dict(evidence.radius, word);
+  py::dict known = radius_dict(evidence.radius, word);
+  for (const facts::Fact& fact : facts::radius_formula_facts(evidence.family, evidence.radius))
+    if (fact.key == "formula")
+      known["formula"] = fact.json.is_null() ? py::object(py::none()) : py::str(fact.json.get<std::string>());
+  return known;
 }
 
 struct SubradiusEvidence {

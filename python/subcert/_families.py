@@ -72,9 +72,13 @@ class PropertyRange:
     complete: bool
     """No undecided piece is longer than the width asked for."""
     parameter: str = "w"
+    summary: str = ""
+    """The answer in one sentence; empty where more is open than pieces of the width."""
     _evidence: Any = dataclasses.field(default=None, repr=False, compare=False)
 
     def __repr__(self) -> str:
+        if self.summary:
+            return f"<PropertyRange: {self.summary}>"
         open_pieces = sum(piece.holds.is_unknown for piece in self.pieces)
         return f"<PropertyRange over {self.parameter}: {len(self.pieces)} pieces, {open_pieces} of them undecided>"
 
@@ -285,6 +289,7 @@ class Family(Named):
             sum_rules=facts["sum_rules"],
             complete=facts["complete"],
             parameter=self.parameter,
+            summary=facts["summary"],
             _evidence=evidence,
         )
 

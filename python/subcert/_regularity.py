@@ -145,8 +145,8 @@ class JointSpectralRadius(_Certified):
     >>> golden = subcert.jsr([[[1, 1], [0, 1]], [[1, 0], [1, 1]]])
     >>> print(golden)
     1.6180339887499
-    >>> golden.exact, golden.product
-    (True, (1, 0))
+    >>> golden.exact, golden.product, golden.formula
+    (True, (1, 0), '(3/2+1/2*sqrt(5))^(1/2)')
     >>> golden.verify().accepted
     True
     """
@@ -160,6 +160,8 @@ class JointSpectralRadius(_Certified):
     vertices: int
     closed: bool
     """Whether the ends are within 1e-12 of each other."""
+    formula: Optional[str] = None
+    """The radius in closed form, where it is a number of small degree that the product is proved to attain."""
     _evidence: Any = _hidden()
     _again: Any = _hidden()
 
@@ -328,6 +330,7 @@ def jsr(
     return JointSpectralRadius(
         enclosure=Enclosure._of(evidence.facts["radius"]),
         _evidence=evidence,
+        formula=evidence.facts["formula"],
         _again=Computation("jsr", (*arguments, None)),
         **_radius_fields(evidence.facts),
     )

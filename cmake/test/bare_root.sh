@@ -13,17 +13,22 @@ mirror_of_this_system() {
   echo "$found"
 }
 
-# make_bare_root [PACKAGE,...]: sets $root, which is removed at the end.
+# make_bare_root [PACKAGE,...]: sets $root, which is removed at the end. It is for one run: nothing waits for the
+# disk, and its locales and most of its papers stay away.
 make_bare_root() {
   mirror=$(mirror_of_this_system) || { echo "$mirror"; exit 77; }
   . /etc/os-release
   root=$(mktemp -d)
   trap 'rm -rf "$root"' EXIT
-  mmdebstrap --quiet --mode=root --variant=apt --dpkgopt='path-include=/usr/share/man/*' ${1:+"--include=$1"} \
-    "$VERSION_CODENAME" "$root" "$mirror" || skip "$mirror gives no $VERSION_CODENAME"
+  trap 'exit 143' HUP INT TERM
+  said=$(mmdebstrap --quiet --mode=root --variant=apt --dpkgopt=force-unsafe-io --aptopt='Acquire::Languages "none"' \
+    --dpkgopt='path-exclude=/usr/share/locale/*' --dpkgopt='path-exclude=/usr/share/info/*' \
+    --dpkgopt='path-include=/usr/share/man/*' ${1:+"--include=$1"} "$VERSION_CODENAME" "$root" "$mirror" 2>&1) ||
+    skip "no bare $VERSION_CODENAME from $mirror: $(echo "$said" | grep '^E: ' | head -n 1)"
+  inside sh -c 'test -c /dev/null && echo >/dev/null' 2>/dev/null || skip "${TMPDIR:-/tmp} takes no devices"
   cp /etc/resolv.conf "$root/etc/resolv.conf"
   cp -r /etc/apt/apt.conf.d/*proxy* "$root/etc/apt/apt.conf.d/" 2>/dev/null || true
-  inside apt-get update -qq
+  inside apt-get update -qq >/dev/null 2>&1 || skip "the bare root does not reach $mirror"
 }
 
 inside() {

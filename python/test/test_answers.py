@@ -141,6 +141,7 @@ def test_families():
     w = end.value.lower
     assert end.polynomial(w) * end.polynomial(end.value.upper) <= 0  # the zero of 32 w^3 + 4 w - 1
     assert end.value.width <= Fraction(1, 10**9) and abs(32 * w**3 + 4 * w - 1) < Fraction(1, 10**7)
+    assert found.summary.startswith("C1 for ") and "-1 + 4*w + 32*w^3" in found.summary and found.summary in repr(found)
     assert all(c.certificate.verify().accepted for c in found.certificates()[:3])
     curve = family.curve("1/10", "1/5", pieces=8)
     assert len(curve.pieces) == 8

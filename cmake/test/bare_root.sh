@@ -20,19 +20,22 @@ make_bare_root() {
   . /etc/os-release
   root=$(mktemp -d)
   trap 'rm -rf "$root"' EXIT
-  trap 'exit 143' HUP INT TERM
+  trap 'trap "" HUP INT TERM; exit 143' HUP INT TERM
   said=$(mmdebstrap --quiet --mode=root --variant=apt --dpkgopt=force-unsafe-io --aptopt='Acquire::Languages "none"' \
     --dpkgopt='path-exclude=/usr/share/locale/*' --dpkgopt='path-exclude=/usr/share/info/*' \
     --dpkgopt='path-include=/usr/share/man/*' ${1:+"--include=$1"} "$VERSION_CODENAME" "$root" "$mirror" 2>&1) ||
     skip "no bare $VERSION_CODENAME from $mirror: $(echo "$said" | grep '^E: ' | head -n 1)"
-  inside sh -c 'test -c /dev/null && echo >/dev/null' 2>/dev/null || skip "${TMPDIR:-/tmp} takes no devices"
+  inside sh -c 'test -c /dev/null && echo >/dev/null' 2>/dev/null ||
+    skip "${TMPDIR:-/tmp} takes no devices, or nothing may be mounted"
   cp /etc/resolv.conf "$root/etc/resolv.conf"
   cp -r /etc/apt/apt.conf.d/*proxy* "$root/etc/apt/apt.conf.d/" 2>/dev/null || true
   inside apt-get update -qq >/dev/null 2>&1 || skip "the bare root does not reach $mirror"
 }
 
+# inside COMMAND...: in the root, with its own /proc, by which a program that is started finds the libraries beside it.
 inside() {
-  chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive \
+  unshare --mount sh -c 'mount -t proc proc "$1/proc" && exec chroot "$@"' sh "$root" \
+    env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive \
     ${http_proxy:+"http_proxy=$http_proxy"} "$@"
 }
 

@@ -93,7 +93,7 @@ TEST_CASE("analyze: a page on which a parameter is moved") {
   }
   CHECK(drawn == 39);  // those with 0 < w < 1
   // Exact at single values, which are among them; divergent ones are no gaps.
-  const nlohmann::json odd = moved("four-point:w --over w=0..1/7 --budget 2");
+  const nlohmann::json odd = moved("four-point:w --over w=0..1/7 --budget 4");
   bool found = false;
   for (const nlohmann::json& value : odd.at("values")) {
     if (value.at("text") == "1/16") found = value.at("exponent") == "2";

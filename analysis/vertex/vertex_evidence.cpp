@@ -42,9 +42,8 @@ void put(std::vector<std::vector<Ball>>& matrix, std::size_t i, std::size_t j, c
 
 }  // namespace
 
-std::shared_ptr<const VertexEvidence> evidence_of(const SectorRules& rules, const ClosedSet& set,
-                                                  const CharacteristicMap& map, long frequency, const Ball& lambda,
-                                                  const BallField& field, bool by_hulls) {
+std::optional<VertexEvidence> evidence_of(const SectorRules& rules, const ClosedSet& set, const CharacteristicMap& map,
+                                          long frequency, const Ball& lambda, const BallField& field, bool by_hulls) {
   VertexEvidence result;
   result.frequency = frequency;
   result.by_hulls = by_hulls;
@@ -55,7 +54,7 @@ std::shared_ptr<const VertexEvidence> evidence_of(const SectorRules& rules, cons
       result.points.push_back(point);
     else
       values.emplace_back(point, parts.of(map.data_at(point)));
-  if (values.empty()) return nullptr;
+  if (values.empty()) return std::nullopt;
   // The first one is not 0; of frequency 0 the second one is another number.
   const auto put_largest = [&](std::size_t place, const Point& than) {
     const auto largest = std::max_element(
@@ -84,7 +83,7 @@ std::shared_ptr<const VertexEvidence> evidence_of(const SectorRules& rules, cons
     std::vector<Ball> unit(2 * n, zero);
     unit[2 * j] = Ball(1, field.bits());
     const auto column = solve(derivative, unit, field.bits());
-    if (!column) return nullptr;
+    if (!column) return std::nullopt;
     for (std::size_t i = 0; i < n; ++i) result.inverse[i][j] = middle_of({(*column)[2 * i], (*column)[2 * i + 1]});
   }
   for (const auto& [point, value] : values) {
@@ -92,7 +91,7 @@ std::shared_ptr<const VertexEvidence> evidence_of(const SectorRules& rules, cons
     result.values.push_back(middle_of(value));
   }
   result.lambda = Rational(lambda.middle());
-  return std::make_shared<const VertexEvidence>(std::move(result));
+  return result;
 }
 
 }  // namespace subcert::vertex

@@ -144,13 +144,12 @@ class VertexProof {
 
   void keep_evidence(const CharacteristicMap& map, long frequency, const Ball& value, std::optional<long> around,
                      std::vector<LatticePoint> folds) {
-    const auto found = evidence_of(rules_, set_, map, frequency, value, BallField(rules_.valence, bits_),
-                                   regular_.forms->are_hulls());
-    if (!found) return;
-    VertexEvidence evidence = *found;
-    evidence.around = around;
-    evidence.folds = std::move(folds);
-    result_.evidence = std::make_shared<const VertexEvidence>(std::move(evidence));
+    auto evidence = evidence_of(rules_, set_, map, frequency, value, BallField(rules_.valence, bits_),
+                                regular_.forms->are_hulls());
+    if (!evidence) return;
+    evidence->around = around;
+    evidence->folds = std::move(folds);
+    result_.evidence = std::make_shared<const VertexEvidence>(std::move(*evidence));
   }
 
   /// Where it is one real number, and the limits of the mask are what certificates ask for.

@@ -99,10 +99,8 @@ void certificate_text::add_exponent(Certificate& certificate, const Mask& mask, 
   const int rules = regularity.bounds.sum_rules;
   const JointSpectralRadius& radius = regularity.radius;
   CertificateClaim& claim = certificate.claim;
-  const Rational product = proved_lower(radius.product);
   const std::string whole = std::to_string(rules),
-                    decimal = product > 1 ? outward(rules - *log_ratio(product, mask.arity()).lower, Rounding::up)
-                                          : whole;
+                    decimal = upper_end_by(radius.product, rules, mask.arity()).value_or(whole);
   // A product that proves no more than the number of sum rules is not needed.
   const bool by_product = decimal != whole;
   // The checker shows stability only where the sub-symbols have no common zero at all.

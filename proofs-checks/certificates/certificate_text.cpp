@@ -281,6 +281,12 @@ std::optional<std::string> claimed_lower(const ProductEvidence& product) {
   return outward(is_exactly_given(product) ? lower : rounded(lower, inverse_bits, Rounding::down), Rounding::down);
 }
 
+std::optional<std::string> upper_end_by(const ProductEvidence& product, int order, int arity) {
+  const Rational lower = proved_lower(product);
+  if (lower <= 1) return std::nullopt;
+  return outward(order - *log_ratio(lower, arity).lower, Rounding::up);
+}
+
 std::string blocks_text(const JointSpectralRadius& radius) {
   const BlockProof* blocks = radius.by_blocks();
   if (!blocks) return "";

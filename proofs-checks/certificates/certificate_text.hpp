@@ -86,6 +86,9 @@ Rational proved_lower(const ProductEvidence& product);
 /// The same as a claim, if it is positive.
 std::optional<std::string> claimed_lower(const ProductEvidence& product);
 
+/// The upper end of an exponent of differences of this order, where the product proves a radius above 1, rounded up.
+std::optional<std::string> upper_end_by(const ProductEvidence& product, int order, int arity);
+
 /// The lines from `blocks` to `inverse`, if there are blocks.
 std::string blocks_text(const JointSpectralRadius& radius);
 

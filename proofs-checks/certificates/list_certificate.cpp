@@ -23,11 +23,6 @@ std::string order_text(const MaskList& list) {
   return fmt::format("follows={}", fmt::join(pairs, ","));
 }
 
-/// The upper end by the product of a radius, for differences of this order.
-std::string upper_end_by(const ProductEvidence& product, int order, int arity) {
-  return outward(order - *log_ratio(proved_lower(product), arity).lower, Rounding::up);
-}
-
 /// The lower end by the radius of a family for differences of this order; nothing where it is not positive. `upper`:
 /// that of one sequence whose shifts checkers show to be stable, by the product of the radius.
 std::optional<Certificate> of_all(ClaimSubject subject, int order, int arity, const MatrixFamily& family,
@@ -53,13 +48,12 @@ Mask in_one(const MaskList& list, const std::vector<std::size_t>& sequence) {
 /// Of masks of numbers in any order or along a graph: the upper end, where the product of the radius shows it as it
 /// stands, and checkers can tell that the shifts of its sequence are stable.
 std::optional<std::string> upper_end_of(const MaskList& list, const ExponentOfList& found) {
-  const ProductEvidence& product = found.radius.product;
   double classes = 1;
   for (std::size_t k = 0; k < found.sequence.size(); ++k) classes *= list.masks.front().arity();
-  if (!found.exponent.upper || proved_lower(product) <= 1 || classes > most_classes) return std::nullopt;
+  if (!found.exponent.upper || classes > most_classes) return std::nullopt;
   const Mask one = in_one(list, found.sequence);
   if (common_factor_of_cosets(one).length() != 1) return std::nullopt;
-  return upper_end_by(product, found.sum_rules, list.masks.front().arity());
+  return upper_end_by(found.radius.product, found.sum_rules, list.masks.front().arity());
 }
 
 Certificate of_sequence(const MaskList& list, const std::vector<std::size_t>& sequence, const Budget& budget) {
